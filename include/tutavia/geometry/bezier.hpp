@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "tutavia/geometry/box.hpp"
+#include "tutavia/geometry/point.hpp"
+#include "tutavia/geometry/quadrature.hpp"
+
+/// \file
+/// Quadratic and cubic Bezier pieces.
+
+namespace tutavia {
+
+/// A Bezier piece with Degree + 1 control points; parameter t in [0, 1].
+template <std::size_t Degree>
+struct Bezier {
+  static_assert(Degree == 2 || Degree == 3);
+
+  std::array<Point, Degree + 1> points;
+
+  const Point& start() const { return points.front(); }
+  const Point& end() const { return points.back(); }
+
+  /// De Casteljau's algorithm; exact at both ends, error at most 5 u M elsewhere.
+  Point point(double t) const {
+    if (t == 1) return end();
+    auto p = points;
+    for (std::size_t level = Degree; level > 0; --level) {
+      for (std::size_t i = 0; i < level; ++i) p[i] += t * (p[i + 1] - p[i]);
+    }
+    return p[0];
+  }
+
+  Point derivative(double t) const {
+    std::array<Point, Degree> d;
+    for (std::size_t i = 0; i < Degree; ++i) d[i] = points[i + 1] - points[i];
+    for (std::size_t level = Degree - 1; level > 0; --level) {
+      for (std::size_t i = 0; i < level; ++i) d[i] += t * (d[i + 1] - d[i]);
+    }
+    return static_cast<double>(Degree) * d[0];
+  }
+
+  Point second_derivative(double t) const {
+    const Point first = second_difference(0), last = second_difference(Degree - 2);
+    return static_cast<double>(Degree * (Degree - 1)) * (first + t * (last - first));
+  }
+
+  /// Direction in which the piece leaves its start, also where control points coincide; null only
+  /// for a single point.
+  Point start_direction() const {
+    for (std::size_t i = 1; i <= Degree; ++i) {
+      if (points[i] != start()) return points[i] - start();
+    }
+    return Point::Zero();
+  }
+
+  /// Direction in which the piece arrives at its end.
+  Point end_direction() const {
+    for (std::size_t i = Degree; i-- > 0;) {
+      if (points[i] != end()) return end() - points[i];
+    }
+    return Point::Zero();
+  }
+
+  double length() const { return length_to(1); }
+
+  /// Arc length from the start to parameter t, by quadrature (relative error about 1e-12).
+  double length_to(double t) const {
+    double polygon = 0;
+    for (std::size_t i = 0; i < Degree; ++i) polygon += (points[i + 1] - points[i]).norm();
+    return integrate([this](double s) { return derivative(s).norm(); }, 0, t, 1e-12 * polygon);
+  }
+
+  /// Box of the control points; it holds the piece.
+  Box box() const {
+    Box box;
+    for (const Point& p : points) box.include(p);
+    return box;
+  }
+
+  bool is_finite() const {
+    return std::all_of(points.begin(), points.end(),
+                       [](const Point& p) { return tutavia::is_finite(p); });
+  }
+
+  /// Largest distance between the piece and its chord at the same parameter: exact for a quadratic
+  /// (|P0 - 2 P1 + P2| / 4), a bound for a cubic (3/4 of the larger second difference).
+  double deviation() const {
+    if constexpr (Degree == 2) {
+      return second_difference(0).norm() / 4;
+    } else {
+      return 0.75 * std::max(second_difference(0).norm(), second_difference(1).norm());
+    }
+  }
+
+  /// The parts over [0, 1/2] and [1/2, 1]. Every coordinate gains an error of at most Degree u M.
+  std::pair<Bezier, Bezier> halves() const {
+    Bezier left, right;
+    auto p = points;
+    for (std::size_t level = Degree + 1; level-- > 0;) {
+      left.points[Degree - level] = p[0];
+      right.points[level] = p[level];
+      for (std::size_t i = 0; i < level; ++i) p[i] = 0.5 * (p[i] + p[i + 1]);
+    }
+    return {left, right};
+  }
+
+ private:
+  Point second_difference(std::size_t i) const {
+    return points[i] - 2 * points[i + 1] + points[i + 2];
+  }
+};
+
+using QuadraticBezier = Bezier<2>;
+using CubicBezier = Bezier<3>;
+
+}  // namespace tutavia

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "tutavia/core/version.hpp"
+
+/// \file
+/// Point: the vector type of the whole library, and the few operations that Eigen does not name.
+
+namespace tutavia {
+
+/// A point or a vector of the plane [m].
+using Point = Eigen::Vector2d;
+
+/// z component of the cross product a x b; positive when b lies to the left of a.
+inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// `v` turned by +90 degrees.
+inline Point perpendicular(const Point& v) { return {-v.y(), v.x()}; }
+
+/// Direction of a vector in (-pi, pi] [rad]; 0 for the null vector.
+inline double heading(const Point& v) { return std::atan2(v.y(), v.x()); }
+
+/// The angle by which `from` turns into `to`, in (-pi, pi] [rad], left positive.
+inline double deflection(const Point& from, const Point& to) {
+  return std::atan2(cross(from, to), from.dot(to));
+}
+
+inline bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
+
+/// The larger of the two coordinates' magnitudes.
+inline double max_magnitude(const Point& p) { return std::fmax(std::abs(p.x()), std::abs(p.y())); }
+
+}  // namespace tutavia

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+
+/// \file
+/// Adaptive Gauss-Legendre quadrature.
+
+namespace tutavia {
+
+/// Gauss-Legendre quadrature of `f` over [a, b] with eight nodes, exact for polynomials up to
+/// degree 15 (nodes and weights: Abramowitz and Stegun 1964, table 25.4).
+template <class F>
+double gauss_legendre(const F& f, double a, double b) {
+  constexpr std::array<double, 4> nodes{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                        0.9602898564975363};
+  constexpr std::array<double, 4> weights{0.3626837833783620, 0.3137066458778873,
+                                          0.2223810344533745, 0.1012285362903763};
+  const double centre = 0.5 * (a + b), half = 0.5 * (b - a);
+  double sum = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    sum += weights[i] * (f(centre - half * nodes[i]) + f(centre + half * nodes[i]));
+  }
+  return half * sum;
+}
+
+/// Integral of `f` over [a, b]: halves the interval until two halves agree with the whole to
+/// `tolerance` (absolute), 20 times at most.
+template <class F>
+double integrate(const F& f, double a, double b, double tolerance, int halvings = 20) {
+  const double middle = 0.5 * (a + b);
+  const double left = gauss_legendre(f, a, middle), right = gauss_legendre(f, middle, b);
+  if (halvings == 0 || std::abs(left + right - gauss_legendre(f, a, b)) <= tolerance) {
+    return left + right;
+  }
+  return integrate(f, a, middle, tolerance / 2, halvings - 1) +
+         integrate(f, middle, b, tolerance / 2, halvings - 1);
+}
+
+}  // namespace tutavia
