@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "tutavia/core/error.hpp"
+#include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/space/concepts.hpp"
+#include "tutavia/world/frame.hpp"
+
+/// \file
+/// GridBuilder: samples free space on a lattice so that every step between free nodes is safe.
+
+namespace tutavia {
+
+/// A function that maps a point to a lower bound of its signed clearance [m] and changes by no more
+/// than the distance between two points (1-Lipschitz), as every exact clearance does.
+template <class F>
+concept ClearanceFunction = std::regular_invocable<const F&, const Point&> &&
+                            std::same_as < std::invoke_result_t<const F&, const Point&>,
+double > ;
+
+/// A grid and its place in the plane.
+struct SampledGrid {
+  OccupancyGrid grid;
+  Frame frame;
+};
+
+/// How to sample; every field but the resolution has a default.
+struct GridOptions {
+  double resolution = 0;                           ///< lattice spacing delta [m]
+  std::int64_t max_nodes = std::int64_t{1} << 28;  ///< more than these: limit_exceeded
+};
+
+/// Samples a source of clearance on the lattice of the points (i delta, j delta) within its bounds.
+///
+/// A node is free iff its clearance is at least sqrt(r^2 + delta^2 / 2). Two such nodes at most
+/// sqrt(2) delta apart span a segment that keeps a distance of r from every obstacle: where T
+/// bounds the distances of an obstacle point to both ends of a segment of length L, Stewart's
+/// theorem gives its squared distance to the point at fraction x as at least T^2 - x (1 - x) L^2 >=
+/// T^2 - L^2 / 4. So no edge needs a test. The threshold carries a margin of two rounding slacks
+/// and of 1e-9 delta, which covers paths that begin within 1e-9 delta of a node.
+///
+/// The clearance is 1-Lipschitz, so a block of nodes is decided by its centre wherever the obstacle
+/// boundary is far enough away: the work grows with the length of the boundary, not with the area.
+template <ClearanceFunction F>
+class GridBuilder {
+ public:
+  /// `slack` is the rounding error of one value of `clearance` [m].
+  GridBuilder(F clearance, const Box& bounds, double safety_radius, double slack)
+      : clearance_(std::move(clearance)),
+        bounds_(bounds),
+        safety_radius_(safety_radius),
+        slack_(slack) {}
+
+  /// `invalid_option` for a resolution that is not positive and finite, `limit_exceeded` for too
+  /// many nodes.
+  Expected<SampledGrid, Failure> build(const GridOptions& options) const {
+    const double delta = options.resolution;
+    if (!(delta > 0) || !std::isfinite(delta)) {
+      return fail(PlanError::invalid_option, "resolution must be positive and finite");
+    }
+    const Point low = (bounds_.min / delta).array().ceil();
+    const Point high = (bounds_.max / delta).array().floor();
+    constexpr double largest = 0x1p30;
+    if (!(std::fmax(max_magnitude(low), max_magnitude(high)) < largest)) {
+      return fail(PlanError::limit_exceeded,
+                  "resolution " + std::to_string(delta) + " m needs more than 2^30 nodes per axis");
+    }
+    Frame frame{low * delta, delta};
+    const Point size = (high - low).cwiseMax(-1) + Point::Ones();
+    auto grid = OccupancyGrid::blocked(static_cast<std::int64_t>(size.x()),
+                                       static_cast<std::int64_t>(size.y()), options.max_nodes);
+    if (!grid) return Unexpected{grid.error()};
+    SampledGrid result{std::move(*grid), frame};
+    const Sampler sampler{
+        *this, result,
+        std::sqrt(safety_radius_ * safety_radius_ + delta * delta / 2) + 2 * slack_ + 1e-9 * delta};
+    sampler.fill({0, 0}, {result.grid.width() - 1, result.grid.height() - 1});
+    return result;
+  }
+
+ private:
+  struct Sampler {
+    const GridBuilder& builder;
+    SampledGrid& out;
+    double threshold;
+
+    /// Decides the nodes of the block from `low` to `high`, both included.
+    void fill(Cell low, Cell high) const {
+      if (low.x > high.x || low.y > high.y) return;
+      const Point a = out.frame.point(low), b = out.frame.point(high);
+      const double clearance = builder.clearance_(0.5 * (a + b));
+      const double reach = 0.5 * (b - a).norm();
+      if (clearance + reach < threshold) return;
+      if (low == high || clearance - reach >= threshold) return set_free(low, high);
+      if (high.x - low.x >= high.y - low.y) {
+        const int middle = low.x + (high.x - low.x) / 2;
+        fill(low, {middle, high.y});
+        fill({middle + 1, low.y}, high);
+      } else {
+        const int middle = low.y + (high.y - low.y) / 2;
+        fill(low, {high.x, middle});
+        fill({low.x, middle + 1}, high);
+      }
+    }
+
+    void set_free(Cell low, Cell high) const {
+      for (int y = low.y; y <= high.y; ++y) {
+        for (int x = low.x; x <= high.x; ++x) {
+          // Rounding may carry the outermost nodes past the bounds.
+          if (builder.bounds_.contains(out.frame.point({x, y}))) out.grid.set({x, y}, true);
+        }
+      }
+    }
+  };
+
+  F clearance_;
+  Box bounds_;
+  double safety_radius_;
+  double slack_;
+};
+
+/// The builder for any space that knows clearances.
+template <ClearanceSpace S>
+auto grid_builder(const S& space) {
+  return GridBuilder([&space](const Point& p) -> double { return space.clearance(p); },
+                     Box(space.bounds()), space.safety_radius(), space.slack());
+}
+
+}  // namespace tutavia

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "tutavia/geometry/point.hpp"
+#include "tutavia/grid/cell.hpp"
+
+/// \file
+/// Frame: where the cells of a grid lie in the plane.
+
+namespace tutavia {
+
+/// Places grid cells in the plane: the reference point of cell (x, y) is origin + resolution (x,
+/// y). On a lattice that point is the node itself.
+struct Frame {
+  Point origin = Point::Zero();
+  double resolution = 1;  ///< distance between neighbours [m]
+
+  Point point(Cell cell) const {
+    return {origin.x() + resolution * cell.x, origin.y() + resolution * cell.y};
+  }
+
+  /// The cell whose reference point is nearest to `p`.
+  /// \pre `p` lies within 2^30 cells of the origin
+  Cell nearest_cell(const Point& p) const {
+    const Point q = (p - origin) / resolution;
+    return {static_cast<int>(std::lround(q.x())), static_cast<int>(std::lround(q.y()))};
+  }
+};
+
+}  // namespace tutavia

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/box.hpp"
+#include "tutavia/geometry/polygon.hpp"
+
+/// \file
+/// Workspace: where the robot may be.
+
+namespace tutavia {
+
+/// A solid disc.
+struct Disc {
+  Point center = Point::Zero();
+  double radius = 0;  ///< [m]; 0 is a single point
+};
+
+/// What the robot has to keep away from.
+using Obstacle = std::variant<Polygon, Disc>;
+
+/// Bounds, obstacles and the distance to keep from them.
+///
+/// Free space is closed: the points of `bounds` at a distance of `safety_radius` or more from every
+/// obstacle. The bounds limit the robot's centre and are not inflated. Obstacles may overlap,
+/// touch, lie inside one another or reach beyond the bounds.
+struct Workspace {
+  Box bounds;
+  double safety_radius = 0;  ///< [m]: robot radius plus whatever else it should keep
+  std::vector<Obstacle> obstacles{};
+
+  /// The largest magnitude among all coordinates [m]; rounding errors are proportional to it.
+  double magnitude() const;
+};
+
+namespace detail {
+
+/// The coordinates that predicates handle without overflow or underflow.
+inline bool is_valid_coordinate(double x) {
+  return x == 0 || (std::abs(x) >= 0x1p-400 && std::abs(x) <= 0x1p400);
+}
+inline bool is_valid_point(const Point& p) {
+  return is_valid_coordinate(p.x()) && is_valid_coordinate(p.y());
+}
+
+/// A complaint about the first bad point of a ring, or nothing.
+inline std::string complaint(const Ring& ring, const std::string& name) {
+  if (ring.empty()) return name + " has no points";
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (!is_valid_point(ring[i])) {
+      return name + "[" + std::to_string(i) + "] is not a pair of finite coordinates" +
+             (is_finite(ring[i]) ? " within 2^-400 to 2^400" : "");
+    }
+  }
+  return {};
+}
+
+inline std::string complaint(const Obstacle& obstacle, const std::string& name) {
+  if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
+    if (!is_valid_point(disc->center)) return name + ".center is not a pair of finite coordinates";
+    if (!is_valid_coordinate(disc->radius) || disc->radius < 0) {
+      return name + ".radius must be finite and not negative";
+    }
+    return {};
+  }
+  const Polygon& polygon = std::get<Polygon>(obstacle);
+  std::string result = complaint(polygon.outer, name + ".polygon");
+  for (std::size_t i = 0; result.empty() && i < polygon.holes.size(); ++i) {
+    result = complaint(polygon.holes[i], name + ".holes[" + std::to_string(i) + "]");
+  }
+  return result;
+}
+
+}  // namespace detail
+
+/// The rounding error of one distance computed from coordinates up to `magnitude`, with room to
+/// spare [m]: 16 u M. Constructions keep twice this much more than they need.
+inline double rounding_slack(double magnitude) { return 16 * 0x1p-53 * magnitude; }
+
+inline double Workspace::magnitude() const {
+  double result = bounds.magnitude();
+  const auto include = [&](const Point& p) { result = std::fmax(result, max_magnitude(p)); };
+  for (const Obstacle& obstacle : obstacles) {
+    if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
+      include(disc->center + Point::Constant(disc->radius));
+      include(disc->center - Point::Constant(disc->radius));
+      continue;
+    }
+    const Polygon& polygon = std::get<Polygon>(obstacle);
+    for (const Point& p : polygon.outer) include(p);
+    for (const Ring& hole : polygon.holes) {
+      for (const Point& p : hole) include(p);
+    }
+  }
+  return result;
+}
+
+/// Checks that a workspace can be planned in: `invalid_input` with the object and its index for a
+/// coordinate that is not finite, an empty ring, a negative radius, empty bounds, or coordinates so
+/// large that their rounding (32 u M) exceeds a thousandth of the safety radius.
+inline Expected<void, Failure> validate(const Workspace& workspace) {
+  const auto invalid = [](std::string detail) {
+    return fail(PlanError::invalid_input, std::move(detail));
+  };
+  const Box& bounds = workspace.bounds;
+  if (!detail::is_valid_point(bounds.min) || !detail::is_valid_point(bounds.max)) {
+    return invalid("bounds must be finite");
+  }
+  if (!(bounds.min.x() <= bounds.max.x() && bounds.min.y() <= bounds.max.y())) {
+    return invalid("bounds are empty: the minimum lies above the maximum");
+  }
+  if (!detail::is_valid_coordinate(workspace.safety_radius) || workspace.safety_radius < 0) {
+    return invalid("safety_radius must be finite and not negative");
+  }
+  for (std::size_t i = 0; i < workspace.obstacles.size(); ++i) {
+    std::string complaint =
+        detail::complaint(workspace.obstacles[i], "obstacles[" + std::to_string(i) + "]");
+    if (!complaint.empty()) return invalid(std::move(complaint));
+  }
+  const double r = workspace.safety_radius, magnitude = workspace.magnitude();
+  if (r > 0 && 2 * rounding_slack(magnitude) > 1e-3 * r) {
+    return invalid("coordinates are too large for the safety radius: " + std::to_string(magnitude) +
+                   " m against " + std::to_string(r) + " m leaves no room for rounding");
+  }
+  return {};
+}
+
+}  // namespace tutavia
