@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <variant>
+
+#include "tutavia/certify/certificate.hpp"
+#include "tutavia/certify/piece_proof.hpp"
+#include "tutavia/core/budget.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// certify: proves a curve safe, or says where it is not.
+
+namespace tutavia {
+
+/// How hard to try; the defaults suit robots of centimetres to kilometres.
+struct CertifyOptions {
+  double epsilon = 1e-6;  ///< wanted width of the interval around the clearance [m]
+  std::size_t max_evaluations_per_piece = 256;
+};
+
+namespace detail {
+
+/// Narrows the interval around the clearance of a whole curve, piece by piece: parts whose lower
+/// bound cannot beat the best upper bound by more than epsilon are dropped, the others halved.
+template <ClearanceSpace S>
+class ClearanceInterval {
+ public:
+  ClearanceInterval(const S& space, const CertifyOptions& options, Certificate& certificate)
+      : space_(space), options_(options), out_(certificate) {
+    out_.lower = std::numeric_limits<double>::infinity();
+  }
+
+  template <class P>
+  void add(const P& piece, std::size_t index) {
+    const double magnitude = std::fmax(space_.magnitude(), piece.box().magnitude());
+    PartStack<P> stack(piece);
+    std::size_t evaluations = 0;
+    while (!stack.empty()) {
+      const Part<P> part = stack.pop();
+      const double margin = part.piece.deviation() + space_.slack() +
+                            part_error(std::is_same_v<P, Segment> ? 0 : part.depth, magnitude);
+      const Segment chord{part.piece.start(), part.piece.end()};
+      const Proximity found = space_.nearest(chord, out_.upper + margin);
+      ++evaluations;
+      if (found.distance + margin < out_.upper) {
+        out_.upper = found.distance + margin;
+        out_.piece = index;
+        out_.parameter = part.parameter(found.parameter);
+        out_.point = piece.point(out_.parameter);
+        out_.obstacle = found.obstacle;
+        out_.edge = found.edge;
+      }
+      const double lower = found.distance - margin;
+      const bool done = lower >= out_.upper - options_.epsilon ||
+                        part.depth == PartStack<P>::max_depth ||
+                        evaluations >= options_.max_evaluations_per_piece;
+      if constexpr (!std::is_same_v<P, Segment>) {
+        if (!done) {
+          stack.push_halves(part);
+          continue;
+        }
+      }
+      out_.lower = std::min(out_.lower, lower);
+    }
+    out_.evaluations += evaluations;
+  }
+
+ private:
+  const S& space_;
+  const CertifyOptions& options_;
+  Certificate& out_;
+};
+
+}  // namespace detail
+
+/// Proves that the whole continuous curve lies within the bounds and keeps the space's safety
+/// radius from every obstacle, and encloses its clearance in an interval of width `epsilon` (or of
+/// the rounding error, where that is larger). `proved` is never said of a curve that comes closer
+/// than the safety radius anywhere; `violated` names a point that does. A curve that is empty,
+/// broken between two pieces, or out of `budget` is `undecided`.
+template <ClearanceSpace S>
+Certificate certify(const S& space, const Curve& curve, const CertifyOptions& options = {},
+                    const Budget& budget = {}) {
+  Certificate certificate;
+  certificate.slack = space.slack();
+  if (curve.empty()) return certificate;
+  const auto& pieces = curve.pieces();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i > 0 && start_of(pieces[i]) != end_of(pieces[i - 1])) return certificate;
+    if (i % 64 == 0 && budget.exceeded()) return certificate;
+    const PieceProof proof = std::visit(
+        [&](const auto& piece) {
+          return prove_distance(space, piece, space.safety_radius(),
+                                options.max_evaluations_per_piece);
+        },
+        pieces[i]);
+    certificate.evaluations += proof.evaluations;
+    if (proof.status == ProofStatus::proved) continue;
+    certificate.status = proof.status;
+    certificate.piece = i;
+    certificate.parameter = proof.parameter;
+    certificate.point =
+        std::visit([&](const auto& p) { return p.point(proof.parameter); }, pieces[i]);
+    if (proof.status == ProofStatus::violated) {
+      certificate.upper = space.clearance(certificate.point) + certificate.slack;
+    }
+    return certificate;
+  }
+  certificate.status = ProofStatus::proved;
+  detail::ClearanceInterval<S> interval(space, options, certificate);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    std::visit([&](const auto& piece) { interval.add(piece, i); }, pieces[i]);
+  }
+  certificate.lower = std::max(certificate.lower, space.safety_radius());
+  certificate.upper = std::max(certificate.upper, certificate.lower);
+  return certificate;
+}
+
+}  // namespace tutavia

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <type_traits>
+#include <variant>
+
+#include "tutavia/certify/certificate.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// PathMetrics: how long, how smooth and how clear a path is.
+
+namespace tutavia {
+
+/// Figures of one path. Turning is counted in runs: joints and curved pieces that follow one
+/// another without a straight piece in between and turn the same way are one turn. For a polyline
+/// that is every vertex.
+struct PathMetrics {
+  double length = 0;               ///< [m]
+  std::size_t turning_points = 0;  ///< turns of more than half a degree
+  double turning_angle = 0;        ///< sum of the magnitudes of all changes of heading [rad]
+  /// Sum of pi - |turn| over the turning points [rad]: the figure that the DSP paper prints (in
+  /// degrees) as "total turning angle". It rewards few turns, not gentle ones.
+  double interior_angle_sum = 0;
+  double max_curvature = 0;   ///< of the pieces [1/m]; corners between pieces are turning, not this
+  double min_clearance = 0;   ///< the proved lower bound [m]
+  double mean_clearance = 0;  ///< over arc length [m], by 256 samples
+};
+
+namespace detail {
+
+/// Adds up changes of heading along a curve.
+class TurnCounter {
+ public:
+  explicit TurnCounter(PathMetrics& metrics) : metrics_(metrics) {}
+
+  void turn(double angle) {
+    if (angle * run_ < 0) end_run();
+    run_ += angle;
+    metrics_.turning_angle += std::abs(angle);
+  }
+  void end_run() {
+    constexpr double least = 0.5 * std::numbers::pi / 180;
+    if (std::abs(run_) > least) {
+      ++metrics_.turning_points;
+      metrics_.interior_angle_sum += std::numbers::pi - std::abs(run_);
+    }
+    run_ = 0;
+  }
+
+ private:
+  PathMetrics& metrics_;
+  double run_ = 0;
+};
+
+/// The parameters between which a piece turns one way only, by less than half a turn: its ends, its
+/// inflections (roots of B' x B'', a quadratic polynomial for a cubic Bezier) and the eighths.
+template <class P>
+auto turning_intervals(const P& piece) {
+  std::array<double, 11> t{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1, 1, 1};
+  if constexpr (std::is_same_v<P, CubicBezier>) {
+    const auto value = [&](double s) {
+      return cross(piece.derivative(s), piece.second_derivative(s));
+    };
+    const double f0 = value(0), f1 = value(1), middle = value(0.5);
+    const double a = 2 * (f0 + f1 - 2 * middle), b = f1 - f0 - a, discriminant = b * b - 4 * a * f0;
+    if (discriminant > 0) {
+      const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+      for (const double root : {q / a, f0 / q}) {
+        if (0 < root && root < 1) (root == q / a ? t[9] : t[10]) = root;
+      }
+    }
+    std::sort(t.begin(), t.end());
+  }
+  return t;
+}
+
+template <class P>
+double max_curvature(const P& piece) {
+  double result = 0;
+  const auto include = [&](double t) {
+    result = std::max(result, std::abs(curvature(piece, std::clamp(t, 0.0, 1.0))));
+  };
+  if constexpr (std::is_same_v<P, QuadraticBezier>) {
+    // A parabola bends most where its velocity is perpendicular to its acceleration.
+    const Point acceleration = piece.second_derivative(0);
+    const double square = acceleration.squaredNorm();
+    if (square > 0) include(-piece.derivative(0).dot(acceleration) / square);
+    include(0);
+    include(1);
+  } else if constexpr (std::is_same_v<P, CubicBezier>) {
+    constexpr int samples = 256;
+    for (int i = 0; i <= samples; ++i) include(static_cast<double>(i) / samples);
+  }
+  return result;
+}
+
+}  // namespace detail
+
+/// Length, turning and curvature of a curve; the clearances are left at 0.
+inline PathMetrics measure(const Curve& curve) {
+  PathMetrics metrics;
+  metrics.length = curve.length();
+  detail::TurnCounter turns(metrics);
+  Point heading = Point::Zero();  // at the end of what lies behind
+  for (const Piece& any : curve.pieces()) {
+    std::visit(
+        [&](const auto& piece) {
+          using P = std::decay_t<decltype(piece)>;
+          if (piece.start_direction() == Point::Zero()) return;  // a single point
+          if (heading != Point::Zero()) turns.turn(deflection(heading, piece.start_direction()));
+          if constexpr (std::is_same_v<P, Segment>) {
+            turns.end_run();
+          } else {
+            Point before = piece.start_direction();
+            for (const double t : detail::turning_intervals(piece)) {
+              const Point after = t < 1 ? piece.derivative(t) : piece.end_direction();
+              if (t == 0 || after == Point::Zero()) continue;
+              turns.turn(deflection(before, after));
+              before = after;
+            }
+            metrics.max_curvature = std::max(metrics.max_curvature, detail::max_curvature(piece));
+          }
+          heading = piece.end_direction();
+        },
+        any);
+  }
+  turns.end_run();
+  return metrics;
+}
+
+/// All figures of a curve in a space, the least clearance as certified.
+template <ClearanceSpace S>
+PathMetrics measure(const S& space, const Curve& curve, const Certificate& certificate) {
+  PathMetrics metrics = measure(curve);
+  metrics.min_clearance = certificate.lower;
+  if (curve.empty()) return metrics;
+  constexpr std::size_t samples = 256;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double s = metrics.length * (static_cast<double>(i) + 0.5) / samples;
+    metrics.mean_clearance += space.clearance(curve.point(s)) / samples;
+  }
+  return metrics;
+}
+
+}  // namespace tutavia

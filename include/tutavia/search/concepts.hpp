@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <string_view>
+
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/point.hpp"
+#include "tutavia/search/query.hpp"
+#include "tutavia/search/route.hpp"
+
+/// \file
+/// What a search algorithm is.
+
+namespace tutavia {
+
+/// Told of every node that a search expands or generates, by the node's place in the plane.
+template <class O>
+concept Observer = requires(O& o, const Point& p) {
+  o.expanded(p);
+  o.generated(p);
+};
+
+/// The observer that looks away; it costs nothing.
+struct NoObserver {
+  void expanded(const Point&) {}
+  void generated(const Point&) {}
+};
+
+/// A search algorithm: a regular value that is its own options. `search` returns a route whose
+/// every piece is in free space and whose ends are exactly the query's, or why there is none; it
+/// keeps within the query's budget, and gives the same answer for the same query with any scratch.
+template <class A, class S>
+concept Searcher = std::copyable<A> && std::default_initializable<typename A::Scratch> &&
+    requires(const A& a, const S& space, const Query& query, typename A::Scratch& scratch,
+             NoObserver& observer) {
+  { A::name } -> std::convertible_to<std::string_view>;
+  { a.search(space, query, scratch, observer) } -> std::same_as<Expected<Route, Failure>>;
+};
+
+}  // namespace tutavia

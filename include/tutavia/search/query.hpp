@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/point.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// Query: what a searcher is asked.
+
+namespace tutavia {
+
+/// From where to where, and at what expense. A goal that is left out is an `invalid_input`.
+struct Query {
+  Point start = Point::Constant(std::numeric_limits<double>::quiet_NaN());
+  Point goal = Point::Constant(std::numeric_limits<double>::quiet_NaN());
+  Budget budget{};
+  std::uint64_t seed = 0;  ///< for searchers that draw random numbers
+};
+
+/// Why a point is no place to start or end in `space`, if it is not: out of bounds, or blocked with
+/// the clearance there where the space knows it.
+template <FreeSpace S>
+std::optional<Failure> check_endpoint(const S& space, const Point& p, bool is_start) {
+  const std::string name = is_start ? "start" : "goal";
+  Failure failure;
+  if (!is_finite(p)) {
+    failure.detail = name + " is not a pair of finite coordinates";
+    return failure;
+  }
+  const auto where = name + " (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")";
+  if (!Box(space.bounds()).contains(p)) {
+    failure.code = is_start ? PlanError::start_out_of_bounds : PlanError::goal_out_of_bounds;
+    failure.detail = where + " lies outside the bounds";
+    return failure;
+  }
+  if (space.is_free(p)) return std::nullopt;
+  failure.code = is_start ? PlanError::start_blocked : PlanError::goal_blocked;
+  failure.detail = where + " lies in an obstacle or its safety zone";
+  if constexpr (ClearanceSpace<S>) {
+    failure.clearance = space.clearance(p);
+    failure.detail += ": its clearance is " + std::to_string(*failure.clearance) + " m, " +
+                      std::to_string(space.safety_radius()) + " m needed";
+  }
+  return failure;
+}
+
+/// The first reason why a query cannot be answered in `space`, if there is one.
+template <FreeSpace S>
+std::optional<Failure> check_query(const S& space, const Query& query) {
+  if (auto failure = check_endpoint(space, query.start, true)) return failure;
+  return check_endpoint(space, query.goal, false);
+}
+
+}  // namespace tutavia

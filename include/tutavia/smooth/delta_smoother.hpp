@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "tutavia/certify/piece_proof.hpp"
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/error.hpp"
+#include "tutavia/pull/shortcut.hpp"
+#include "tutavia/smooth/critical_corners.hpp"
+
+/// \file
+/// DeltaSmoother: the DSP paper's smoothing of grid paths.
+
+namespace tutavia {
+
+/// Smooths a polyline with cautious arcs at critical corners and greedy shortcuts in between.
+///
+/// A corner is critical when the path passes its safety zone within `corner_threshold`; the path
+/// node nearest to it is its trigger. Shortcuts stop before triggers; at a trigger the two steps
+/// around it become one quadratic Bezier arc whose control point is pushed away from the corner
+/// until the arc is proved safe, or stay as they are. Shortcuts are prudent: they stop one node
+/// before the last node in sight, which is the one next to a corner.
+///
+/// Guarantees: the ends are exact, every line and arc is proved at the space's safety radius, and
+/// the result is never longer than its input (else the input's shortcuts are returned). Arcs are
+/// smooth inside; where they meet lines there may be corners, as in the paper.
+///
+/// Source: Abdulshaheed 2025, "A Delta-Smoothed Path Algorithm". The paper's names are given with
+/// the fields; the resolution of what it leaves open is in docs/algorithms.md.
+struct DeltaSmoother {
+  static constexpr std::string_view name = "delta";
+
+  double corner_threshold = 0.3;     ///< cornerThresh [m]
+  double arc_initial_offset = 0.12;  ///< arcInitOffset [m]: the first push, after none at all
+  double arc_max_offset = 0.6;       ///< arcMaxOffset [m]
+  double arc_growth_step = 0.12;     ///< arcGrowStep [m]
+  /// Corners that turn less are not corners, but facets of something round [rad].
+  double min_exterior_angle = 20 * std::numbers::pi / 180;
+
+  /// Errors: `invalid_option` for one that is negative or not a number (the growth step must be
+  /// positive), `invalid_input` for a curve that is no polyline, what the budget says.
+  template <CornerSpace S>
+  Expected<Curve, Failure> smooth(const S& space, const Curve& curve, const Budget& budget) const {
+    if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
+    for (const Piece& piece : curve.pieces()) {
+      if (!std::holds_alternative<Segment>(piece)) {
+        return fail(PlanError::invalid_input, "the delta smoother takes polylines only");
+      }
+    }
+    const std::vector<Point> nodes = joints(curve);
+    const std::vector<Trigger> triggers = find_triggers(space, nodes);
+    Curve result;
+    auto next = triggers.begin();
+    for (std::size_t i = 0; i + 1 < nodes.size();) {
+      if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
+      while (next != triggers.end() && next->node <= i) ++next;
+      const bool has_next = next != triggers.end();
+      if (has_next && next->node == i + 1 && i + 2 < nodes.size()) {
+        append_arc(space, nodes, *next, result);
+        i += 2;
+      } else {
+        const std::size_t barrier = has_next ? next->node - 1 : nodes.size() - 1;
+        const std::size_t j = prudent_shortcut(space, nodes, i, std::max(barrier, i + 1));
+        result.push_back(Segment{nodes[i], nodes[j]});
+        i = j;
+      }
+    }
+    if (result.length() > curve.length()) return Shortcut{}.smooth(space, curve, budget);
+    return result;
+  }
+
+ private:
+  /// A path node at which an arc has to be tried, and the corner that asks for it.
+  struct Trigger {
+    std::size_t node;
+    Point corner;
+    double distance;  // between the node and the corner's zone or disc
+  };
+
+  const char* invalid_option() const {
+    if (!(corner_threshold >= 0)) return "corner_threshold must not be negative";
+    if (!(arc_initial_offset >= 0)) return "arc_initial_offset must not be negative";
+    if (!(arc_max_offset >= 0) || !std::isfinite(arc_max_offset)) {
+      return "arc_max_offset must be finite and not negative";
+    }
+    if (!(arc_growth_step > 0)) return "arc_growth_step must be positive";
+    if (arc_max_offset > 1e4 * arc_growth_step) {
+      return "arc_growth_step is less than a ten-thousandth of arc_max_offset";
+    }
+    if (!(min_exterior_angle >= 0)) return "min_exterior_angle must not be negative";
+    return nullptr;
+  }
+
+  /// For each critical corner the nearest node; one trigger per node, by the nearest corner, in the
+  /// order of the path.
+  template <class S>
+  std::vector<Trigger> find_triggers(const S& space, const std::vector<Point>& nodes) const {
+    std::vector<Trigger> triggers;
+    for (const Corner& corner :
+         critical_corners(space, nodes, corner_threshold, min_exterior_angle)) {
+      Trigger best{0, corner.position, std::numeric_limits<double>::infinity()};
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const double distance = (nodes[i] - corner.position).norm() - corner.radius;
+        if (distance < best.distance) best.node = i, best.distance = distance;
+      }
+      triggers.push_back(best);
+    }
+    std::stable_sort(triggers.begin(), triggers.end(), [](const Trigger& a, const Trigger& b) {
+      return a.node != b.node ? a.node < b.node : a.distance < b.distance;
+    });
+    const auto same = [](const Trigger& a, const Trigger& b) { return a.node == b.node; };
+    triggers.erase(std::unique(triggers.begin(), triggers.end(), same), triggers.end());
+    return triggers;
+  }
+
+  /// The node to go to straight from i: one before the last in sight, no later than `barrier`.
+  template <class S>
+  static std::size_t prudent_shortcut(const S& space, const std::vector<Point>& nodes,
+                                      std::size_t i, std::size_t barrier) {
+    const auto sees = [&](std::size_t j) { return space.segment_free(nodes[i], nodes[j]); };
+    const std::size_t end = nodes.size() - 1;
+    std::size_t last = end;
+    while (last > i + 1 && !sees(last)) --last;
+    std::size_t target = std::clamp(last == end ? end : last - 1, i + 1, barrier);
+    if (target == last || target == i + 1) return target;
+    if (sees(target)) return target;
+    if (last <= barrier) return last;  // it is in sight, its predecessor is not
+    while (target > i + 1 && !sees(target)) --target;
+    return target;
+  }
+
+  /// Replaces the two steps around a trigger by one arc, if any offset gives a proved one.
+  template <class S>
+  void append_arc(const S& space, const std::vector<Point>& nodes, const Trigger& trigger,
+                  Curve& result) const {
+    const Point& a = nodes[trigger.node - 1];
+    const Point& b = nodes[trigger.node];
+    const Point& c = nodes[trigger.node + 1];
+    const double chord = (c - a).norm();
+    if (std::abs(cross(b - a, c - b)) <= 1e-9 * chord * chord && space.segment_free(a, c)) {
+      result.push_back(Segment{a, c});
+      return;
+    }
+    const Point away = b - trigger.corner;
+    const double distance = away.norm();
+    double offset = 0;
+    while (offset <= arc_max_offset) {
+      const Point pushed = distance > 0 ? Point(b + offset / distance * away) : b;
+      const QuadraticBezier arc{{a, pushed, c}};
+      if (is_proved_free(space, arc)) {
+        result.push_back(arc);
+        return;
+      }
+      offset =
+          offset == 0 && arc_initial_offset > 0 ? arc_initial_offset : offset + arc_growth_step;
+    }
+    result.push_back(Segment{a, b});
+    result.push_back(Segment{b, c});
+  }
+};
+
+}  // namespace tutavia
