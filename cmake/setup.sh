@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Installs what is missing (Debian and Ubuntu, through apt), then builds and runs.
+#
+#   cmake/setup.sh demo    plans the built-in maze, prints a table and writes maze.svg
+#   cmake/setup.sh test    builds everything and runs the whole test suite
+#   cmake/setup.sh tools   only installs what the sanitizer, format and lint checks need
+set -euo pipefail
+mode=${1:-}
+case $mode in
+  demo | test | tools) ;;
+  *) echo "usage: cmake/setup.sh demo|test|tools" >&2; exit 2 ;;
+esac
+here=$PWD
+cd "$(dirname "$0")/.."
+
+has_header() { for dir in /usr/include /usr/local/include; do [ -e "$dir/$1" ] && return 0; done; return 1; }
+missing=()
+need_command() { command -v "$1" >/dev/null || missing+=("$2"); }
+need_header() { has_header "$1" || missing+=("$2"); }
+
+need_command g++ g++
+need_command cmake cmake
+need_command ninja ninja-build
+need_header eigen3/Eigen/Core libeigen3-dev
+need_header boost/geometry.hpp libboost-dev
+need_header CLI/CLI.hpp libcli11-dev
+need_header nlohmann/json.hpp nlohmann-json3-dev
+if [ "$mode" != demo ]; then
+  has_header catch2/catch.hpp || need_header catch2/catch_all.hpp catch2
+fi
+if [ "$mode" = tools ]; then
+  need_command clang++ clang
+  need_command clang-format clang-format
+  need_command clang-tidy clang-tidy
+  need_command python3 python3
+  # clang's sanitizer runtime is a package of its own in some releases
+  if command -v clang++ >/dev/null &&
+     ! echo 'int main(){}' | clang++ -x c++ -fsanitize=address,fuzzer-no-link - -o /dev/null 2>/dev/null; then
+    missing+=("libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev")
+  fi
+fi
+
+if [ ${#missing[@]} -gt 0 ]; then
+  as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
+      as_root=(sudo)
+    else
+      echo "setup.sh: missing packages: ${missing[*]} (install them as root: apt-get install ${missing[*]})" >&2
+      exit 1
+    fi
+  fi
+  if ! command -v apt-get >/dev/null; then
+    echo "setup.sh: missing packages: ${missing[*]} (no apt-get here: install them by other means)" >&2
+    exit 1
+  fi
+  export DEBIAN_FRONTEND=noninteractive
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" </dev/null >/dev/null
+  # A compiler that has just arrived may want its sanitizer runtime.
+  if [ "$mode" = tools ]; then exec cmake/setup.sh tools; fi
+fi
+
+case $mode in
+  demo)
+    cmake --preset demo >/dev/null
+    cmake --build --preset demo
+    cd "$here"
+    exec "$OLDPWD/build/demo/examples/tutavia-plan"
+    ;;
+  test)
+    cmake --preset release
+    cmake --build --preset release
+    exec ctest --preset release
+    ;;
+esac

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A searcher of one's own: tries random points to go round by. The planner proves what it finds.
+
+#include <iostream>
+#include <tutavia/tutavia.hpp>
+
+struct ViaPoint {
+  static constexpr std::string_view name = "via_point";
+  struct Scratch {};
+  int tries = 10000;
+
+  template <tutavia::FreeSpace S, tutavia::Observer O>
+  tutavia::Expected<tutavia::Route, tutavia::Failure> search(const S& space,
+                                                             const tutavia::Query& query, Scratch&,
+                                                             O& observer) const {
+    if (auto failure = tutavia::check_query(space, query)) return tutavia::Unexpected{*failure};
+    tutavia::Random random(query.seed);
+    const tutavia::Box box = space.bounds();
+    for (int i = 0; i < tries; ++i) {
+      const tutavia::Point via{random.uniform(box.min.x(), box.max.x()),
+                               random.uniform(box.min.y(), box.max.y())};
+      observer.generated(via);
+      if (!space.segment_free(query.start, via) || !space.segment_free(via, query.goal)) continue;
+      const tutavia::Point points[] = {query.start, via, query.goal};
+      const auto curve = tutavia::Curve::polyline(points);
+      return tutavia::Route{.curve = curve, .cost = curve.length()};
+    }
+    return tutavia::fail(tutavia::PlanError::budget_exhausted, "no single bend found");
+  }
+};
+
+int main() {
+  const tutavia::Scene scene = tutavia::maps::complex();
+  const auto space = tutavia::InflatedSpace::build(scene.workspace).value();
+  tutavia::Planner planner{ViaPoint{}};
+  const auto plan = planner.plan(space, {.start = scene.start, .goal = scene.goals[0], .seed = 1});
+  std::cout << (plan ? "proved, " + std::to_string(plan->metrics.length) + " m\n" : "no plan\n");
+}

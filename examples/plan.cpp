@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// tutavia-plan: plans on the built-in maps or on a workspace file, from the command line.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tutavia/io/plan_json.hpp"
+#include "tutavia/io/workspace_json.hpp"
+#include "tutavia/registry.hpp"
+#include "tutavia/tutavia.hpp"
+
+namespace {
+
+using namespace tutavia;
+
+/// Bad usage or bad input: one line on stderr, exit code 2.
+struct UsageError {
+  std::string message;
+};
+
+struct Arguments {
+  std::string map, workspace, start, search = "astar", smoother = "delta", json, svg;
+  std::vector<std::string> goals;
+  std::optional<double> radius, resolution, time_limit;
+  std::uint64_t seed = 0;
+  bool compare = false, list = false;
+};
+
+/// One query and its answer.
+struct Result {
+  ResultHeader header;
+  Expected<Plan, Failure> plan;
+};
+
+void define_options(CLI::App& app, Arguments& args) {
+  auto* map = app.add_option("--map", args.map, "Built-in map: array, complex or maze");
+  app.add_option("--workspace", args.workspace, "Workspace file (.json)")->excludes(map);
+  app.add_option("--start", args.start, "Start, as X,Y in metres");
+  app.add_option("--goal", args.goals, "Goal, as X,Y; may be repeated. Default: every goal given")
+      ->allow_extra_args(false);
+  app.add_option("--radius", args.radius, "Safety radius in metres");
+  app.add_option("--resolution", args.resolution, "Lattice spacing in metres");
+  app.add_option("--search", args.search, "Search, or a comma list of them")->capture_default_str();
+  app.add_option("--smoother", args.smoother, "Smoother, or a comma list of them")
+      ->capture_default_str();
+  app.add_option("--seed", args.seed, "Seed for searches that draw random numbers");
+  app.add_option("--time-limit", args.time_limit, "Seconds per query");
+  app.add_option("--json", args.json, "Write the results as JSON; - for stdout");
+  app.add_option("--svg", args.svg, "Draw the plans");
+  app.add_flag("--compare", args.compare,
+               "All searches with the smoother, and all smoothers with the search");
+  app.add_flag("--list", args.list, "Print the names of searches and smoothers");
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+Point parse_point(const std::string& option, const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma != std::string::npos) {
+    const auto x = parse_number(std::string_view(text).substr(0, comma));
+    const auto y = parse_number(std::string_view(text).substr(comma + 1));
+    if (x && y && std::isfinite(*x) && std::isfinite(*y)) return {*x, *y};
+  }
+  throw UsageError{option + ": expected X,Y with finite numbers, got \"" + text + "\""};
+}
+
+Scene load_scene(const Arguments& args) {
+  if (!args.workspace.empty()) {
+    auto file = read_scene_json(args.workspace);
+    if (!file) throw UsageError{file.error().detail};
+    for (const std::string& warning : file->warnings) {
+      std::cerr << "tutavia-plan: " << args.workspace << ": " << warning << '\n';
+    }
+    return std::move(file->scene);
+  }
+  if (args.map.empty() || args.map == "maze") return maps::maze();
+  if (args.map == "array") return maps::array();
+  if (args.map == "complex") return maps::complex();
+  throw UsageError{"--map: unknown map \"" + args.map + "\" (array, complex or maze)"};
+}
+
+/// The scene with everything that the command line overrides.
+Scene configured_scene(const Arguments& args) {
+  Scene scene = load_scene(args);
+  if (!args.start.empty()) scene.start = parse_point("--start", args.start);
+  if (!args.goals.empty()) scene.goals.clear();
+  for (const std::string& goal : args.goals) scene.goals.push_back(parse_point("--goal", goal));
+  if (args.radius) scene.workspace.safety_radius = *args.radius;
+  if (args.resolution) {
+    scene.resolution = *args.resolution;
+  } else if (scene.resolution == 0) {
+    const Box& bounds = scene.workspace.bounds;
+    scene.resolution = std::max(bounds.width(), bounds.height()) / 200;
+  }
+  if (!is_finite(scene.start)) throw UsageError{"no start: give --start X,Y"};
+  if (scene.goals.empty()) throw UsageError{"no goal: give --goal X,Y"};
+  if (args.time_limit && !(*args.time_limit >= 0)) {
+    throw UsageError{"--time-limit must not be negative"};
+  }
+  return scene;
+}
+
+/// The algorithms that a comma list names.
+template <class Algorithm>
+std::vector<Algorithm> select(const std::vector<Algorithm>& all, const std::string& option,
+                              const std::string& names) {
+  std::vector<Algorithm> selected;
+  for (std::size_t begin = 0; begin <= names.size();) {
+    const std::size_t end = std::min(names.find(',', begin), names.size());
+    const std::string name = names.substr(begin, end - begin);
+    const auto found = std::find_if(
+        all.begin(), all.end(), [&](const Algorithm& candidate) { return candidate.name == name; });
+    if (found == all.end()) {
+      std::string known;
+      for (const Algorithm& candidate : all) known.append(" ").append(candidate.name);
+      throw UsageError{option + ": unknown name \"" + name + "\"; known:" + known};
+    }
+    selected.push_back(*found);
+    begin = end + 1;
+  }
+  return selected;
+}
+
+std::vector<Result> run(const LatticeSpace& space, const Scene& scene, const Arguments& args,
+                        const AnySearch<LatticeSpace>& search,
+                        const AnySmoother<LatticeSpace>& smoother) {
+  Planner planner(search, smoother);
+  std::vector<Result> results;
+  for (const Point& goal : scene.goals) {
+    Query query{.start = scene.start, .goal = goal, .seed = args.seed};
+    if (args.time_limit) query.budget = Budget::for_seconds(*args.time_limit);
+    results.push_back({{std::string(search.name), std::string(smoother.name), scene.start, goal,
+                        scene.workspace.safety_radius},
+                       planner.plan(space, query)});
+  }
+  return results;
+}
+
+std::string to_text(const Point& p) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "(%g, %g)", p.x(), p.y());
+  return buffer;
+}
+
+/// "-12.3 %": by how much `after` differs from `before`; for counts that stay 0, "0.0 %".
+std::string change(double before, double after) {
+  if (before == 0 && after != 0) return "new";
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%+.1f %%",
+                before == 0 ? 0.0 : 100 * (after - before) / before);
+  return buffer;
+}
+
+constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+/// One row per goal, each figure with its change against the search's own route.
+void print_plans(const std::vector<Result>& results) {
+  std::printf("%-16s %10s %9s %6s %9s %9s %9s %10s  %-8s %9s\n", "goal", "length m", "change",
+              "turns", "change", "angle deg", "change", "clear >= m", "proof", "ms");
+  for (const Result& result : results) {
+    const std::string goal = to_text(result.header.goal);
+    if (!result.plan) {
+      const Failure& failure = result.plan.error();
+      std::printf("%-16s %s: %s\n", goal.c_str(), std::string(to_string(failure.code)).c_str(),
+                  failure.detail.c_str());
+      continue;
+    }
+    const Plan& plan = *result.plan;
+    const PathMetrics &m = plan.metrics, before = measure(plan.route.curve);
+    const double ms = (plan.stats.search_us + plan.stats.smooth_us + plan.stats.certify_us) / 1000;
+    std::printf(
+        "%-16s %10.4f %9s %6zu %9s %9.2f %9s %10.4f  %-8s %9.3f%s\n", goal.c_str(), m.length,
+        change(before.length, m.length).c_str(), m.turning_points,
+        change(static_cast<double>(before.turning_points), static_cast<double>(m.turning_points))
+            .c_str(),
+        degrees(m.turning_angle), change(before.turning_angle, m.turning_angle).c_str(),
+        m.min_clearance, std::string(to_string(plan.certificate.status)).c_str(), ms,
+        plan.fell_back ? "  (fell back to the route)" : "");
+  }
+}
+
+/// One row per algorithm, figures added up over all goals.
+void print_comparison(const std::vector<std::vector<Result>>& groups, bool by_search) {
+  std::printf("%-16s %9s %10s %6s %9s %10s %10s %10s %9s\n", by_search ? "search" : "smoother",
+              "planned", "length m", "turns", "angle deg", "max curv.", "clear >= m", "expanded",
+              "ms");
+  for (const std::vector<Result>& group : groups) {
+    double length = 0, angle = 0, curvature = 0, ms = 0;
+    double clearance = std::numeric_limits<double>::infinity();
+    std::size_t planned = 0, turns = 0;
+    std::uint64_t expanded = 0;
+    for (const Result& result : group) {
+      if (!result.plan) continue;
+      const PathMetrics& m = result.plan->metrics;
+      const Statistics& s = result.plan->stats;
+      ++planned;
+      length += m.length;
+      turns += m.turning_points;
+      angle += m.turning_angle;
+      curvature = std::max(curvature, m.max_curvature);
+      clearance = std::min(clearance, m.min_clearance);
+      expanded += s.expanded;
+      ms += (s.search_us + s.smooth_us + s.certify_us) / 1000;
+    }
+    const ResultHeader& header = group.front().header;
+    const std::string count = std::to_string(planned) + "/" + std::to_string(group.size());
+    std::printf("%-16s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f\n",
+                (by_search ? header.search : header.smoother).c_str(), count.c_str(), length, turns,
+                degrees(angle), curvature, clearance, static_cast<unsigned long long>(expanded),
+                ms);
+  }
+}
+
+void draw(const std::string& path, const Scene& scene, const LatticeSpace& space,
+          const std::vector<std::vector<Result>>& groups) {
+  SvgOptions options{.title = scene.name};
+  std::vector<Plan> plans;
+  const DeltaSmoother delta;
+  for (const auto& group : groups) {
+    for (const Result& result : group) {
+      if (!result.plan) continue;
+      plans.push_back(*result.plan);
+      if (result.header.smoother != DeltaSmoother::name) continue;
+      for (const Corner& corner :
+           critical_corners(space, joints(result.plan->route.curve), delta.corner_threshold,
+                            delta.min_exterior_angle)) {
+        options.critical_corners.push_back(corner.position);
+      }
+    }
+  }
+  if (const auto written = write_svg(path, scene.workspace, plans, options); !written) {
+    throw UsageError{written.error().detail};
+  }
+}
+
+void write_results(const std::string& path, const std::vector<std::vector<Result>>& groups) {
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  for (const auto& group : groups) {
+    for (const Result& result : group) {
+      results.push_back(result.plan ? result_to_json(result.header, *result.plan)
+                                    : result_to_json(result.header, result.plan.error()));
+    }
+  }
+  const std::string text = result_file(std::move(results)).dump(1) + "\n";
+  if (path == "-") {
+    std::cout << text << std::flush;
+    if (!std::cout) throw UsageError{"cannot write to stdout"};
+  } else if (const auto written = write_file(path, text); !written) {
+    throw UsageError{written.error().detail};
+  }
+}
+
+int plan(const Arguments& args, bool draw_default) {
+  const auto searches = all_searches<LatticeSpace>();
+  const auto smoothers = all_smoothers<LatticeSpace>();
+  if (args.list) {
+    std::cout << "search:";
+    for (const auto& search : searches) std::cout << ' ' << search.name;
+    std::cout << "\nsmoother:";
+    for (const auto& smoother : smoothers) std::cout << ' ' << smoother.name;
+    std::cout << '\n';
+    return 0;
+  }
+  const auto chosen_searches = select(searches, "--search", args.search);
+  const auto chosen_smoothers = select(smoothers, "--smoother", args.smoother);
+  if (args.compare && (chosen_searches.size() > 1 || chosen_smoothers.size() > 1)) {
+    throw UsageError{"--compare takes one --search and one --smoother to hold the others against"};
+  }
+  const Scene scene = configured_scene(args);
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = scene.resolution});
+  if (!space) throw UsageError{space.error().detail};
+
+  const bool table = args.json != "-";
+  if (table) {
+    std::printf("%s: safety radius %g m, lattice %g m, start %s\n",
+                scene.name.empty() ? args.workspace.c_str() : scene.name.c_str(),
+                scene.workspace.safety_radius, scene.resolution, to_text(scene.start).c_str());
+  }
+  std::vector<std::vector<Result>> groups;
+  if (args.compare) {
+    for (const auto& search : searches) {
+      groups.push_back(run(*space, scene, args, search, chosen_smoothers[0]));
+    }
+    if (table) {
+      std::printf("\nall searches, smoother %s; sums over %zu goals\n", args.smoother.c_str(),
+                  scene.goals.size());
+      print_comparison(groups, true);
+    }
+    std::vector<std::vector<Result>> by_smoother;
+    for (const auto& smoother : smoothers) {
+      by_smoother.push_back(run(*space, scene, args, chosen_searches[0], smoother));
+    }
+    if (table) {
+      std::printf("\nall smoothers, search %s; sums over %zu goals\n", args.search.c_str(),
+                  scene.goals.size());
+      print_comparison(by_smoother, false);
+    }
+    groups.insert(groups.end(), by_smoother.begin(), by_smoother.end());
+  } else {
+    for (const auto& search : chosen_searches) {
+      for (const auto& smoother : chosen_smoothers) {
+        groups.push_back(run(*space, scene, args, search, smoother));
+        if (!table) continue;
+        std::printf("\nsearch %s, smoother %s; changes against the route of the search\n",
+                    std::string(search.name).c_str(), std::string(smoother.name).c_str());
+        print_plans(groups.back());
+      }
+    }
+  }
+  std::fflush(stdout);
+
+  if (!args.json.empty()) write_results(args.json, groups);
+  const std::string picture = args.svg.empty() && draw_default ? "maze.svg" : args.svg;
+  if (!picture.empty()) {
+    draw(picture, scene, *space, groups);
+    if (table) std::printf("\npicture: %s\n", picture.c_str());
+  }
+  for (const auto& group : groups) {
+    for (const Result& result : group) {
+      if (!result.plan) return 1;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Plans safe, smooth, short paths for a disc-shaped robot; every path is proved.",
+               "tutavia-plan"};
+  Arguments args;
+  define_options(app, args);
+  try {
+    app.parse(argc, argv);
+    return plan(args, argc == 1);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    std::cerr << "tutavia-plan: " << error.what() << '\n';
+  } catch (const UsageError& error) {
+    std::cerr << "tutavia-plan: " << error.message << '\n';
+  }
+  return 2;
+}

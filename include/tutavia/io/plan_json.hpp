@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+#include "tutavia/core/error.hpp"
+#include "tutavia/planner.hpp"
+
+/// \file
+/// Results in JSON, version 1 of the result file.
+
+namespace tutavia {
+
+/// What was asked, beside what came of it.
+struct ResultHeader {
+  std::string search;
+  std::string smoother;
+  Point start = Point::Zero();
+  Point goal = Point::Zero();
+  double safety_radius = 0;
+};
+
+namespace detail {
+
+using ResultJson = nlohmann::ordered_json;
+
+inline ResultJson to_json(const Point& p) { return {p.x(), p.y()}; }
+
+inline ResultJson to_json(const Curve& curve) {
+  ResultJson result = ResultJson::array();
+  for (const Piece& any : curve.pieces()) {
+    result.push_back(std::visit(
+        [](const auto& piece) -> ResultJson {
+          if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Segment>) {
+            return {{"type", "line"}, {"points", {to_json(piece.a), to_json(piece.b)}}};
+          } else {
+            ResultJson points = ResultJson::array();
+            for (const Point& p : piece.points) points.push_back(to_json(p));
+            return {{"type", "bezier"}, {"points", points}};
+          }
+        },
+        any));
+  }
+  return result;
+}
+
+inline ResultJson to_json(const Statistics& stats) {
+  return {{"expanded", stats.expanded},     {"generated", stats.generated},
+          {"search_us", stats.search_us},   {"smooth_us", stats.smooth_us},
+          {"certify_us", stats.certify_us}, {"seed", stats.seed}};
+}
+
+inline ResultJson result_head(const ResultHeader& header, std::string_view status) {
+  return {{"status", status},
+          {"search", header.search},
+          {"smoother", header.smoother},
+          {"fell_back", false},
+          {"start", to_json(header.start)},
+          {"goal", to_json(header.goal)},
+          {"safety_radius", header.safety_radius}};
+}
+
+}  // namespace detail
+
+/// One entry of `results` for a plan. Numbers read back to the same double; infinite ones (the
+/// clearance where there are no obstacles) are null.
+inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const Plan& plan) {
+  auto json = detail::result_head(header, "success");
+  const PathMetrics& m = plan.metrics;
+  const Certificate& c = plan.certificate;
+  json["fell_back"] = plan.fell_back;
+  json["route"] = detail::to_json(plan.route.curve);
+  json["curve"] = detail::to_json(plan.curve);
+  json["metrics"] = {{"length", m.length},
+                     {"turning_points", m.turning_points},
+                     {"turning_angle", m.turning_angle},
+                     {"interior_angle_sum", m.interior_angle_sum},
+                     {"max_curvature", m.max_curvature},
+                     {"min_clearance", m.min_clearance},
+                     {"mean_clearance", m.mean_clearance}};
+  json["certificate"] = {
+      {"status", to_string(c.status)},     {"lower", c.lower}, {"upper", c.upper},
+      {"point", detail::to_json(c.point)}, {"piece", c.piece}, {"parameter", c.parameter}};
+  json["stats"] = detail::to_json(plan.stats);
+  return json;
+}
+
+/// One entry of `results` for a query without a plan: `status` is the error's code.
+inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const Failure& failure) {
+  auto json = detail::result_head(header, to_string(failure.code));
+  json["detail"] = failure.detail;
+  if (failure.clearance) json["clearance"] = *failure.clearance;
+  if (failure.nearest_safe_point) {
+    json["nearest_safe_point"] = detail::to_json(*failure.nearest_safe_point);
+  }
+  json["stats"] = detail::to_json(failure.stats);
+  return json;
+}
+
+/// The whole result file around its entries.
+inline nlohmann::ordered_json result_file(nlohmann::ordered_json results) {
+  return {{"tutavia", 1}, {"results", std::move(results)}};
+}
+
+}  // namespace tutavia

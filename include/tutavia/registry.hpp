@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "tutavia/pull/shortcut.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/dijkstra.hpp"
+#include "tutavia/smooth/concepts.hpp"
+#include "tutavia/smooth/delta_smoother.hpp"
+#include "tutavia/smooth/no_smoothing.hpp"
+
+/// \file
+/// The algorithms by name, for tools that choose at run time.
+
+namespace tutavia {
+
+/// Any searcher on spaces of type S. Copies share the scratch memory: one thread at a time.
+template <class S>
+struct AnySearch {
+  struct Scratch {};
+
+  std::string_view name{};
+  std::function<Expected<Route, Failure>(const S&, const Query&)> run{};
+
+  template <Observer O>
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch&, O&) const {
+    return run(space, query);
+  }
+};
+
+/// Any smoother on spaces of type S.
+template <class S>
+struct AnySmoother {
+  std::string_view name{};
+  std::function<Expected<Curve, Failure>(const S&, const Curve&, const Budget&)> run{};
+
+  Expected<Curve, Failure> smooth(const S& space, const Curve& curve, const Budget& budget) const {
+    return run(space, curve, budget);
+  }
+};
+
+template <class S, Searcher<S> A>
+AnySearch<S> erase_search(const A& algorithm) {
+  auto scratch = std::make_shared<typename A::Scratch>();
+  return {A::name, [algorithm, scratch](const S& space, const Query& query) {
+            NoObserver nobody;
+            return algorithm.search(space, query, *scratch, nobody);
+          }};
+}
+
+template <class S, Smoother<S> A>
+AnySmoother<S> erase_smoother(const A& algorithm) {
+  return {A::name, [algorithm](const S& space, const Curve& curve, const Budget& budget) {
+            return algorithm.smooth(space, curve, budget);
+          }};
+}
+
+/// Every searcher of the library that works on S, with default options.
+template <class S>
+std::vector<AnySearch<S>> all_searches() {
+  return {erase_search<S>(Dijkstra{}), erase_search<S>(AStar{})};
+}
+
+/// Every smoother of the library that works on S, with default options.
+template <class S>
+std::vector<AnySmoother<S>> all_smoothers() {
+  return {erase_smoother<S>(NoSmoothing{}), erase_smoother<S>(Shortcut{}),
+          erase_smoother<S>(DeltaSmoother{})};
+}
+
+}  // namespace tutavia
