@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The command line of tutavia-plan, run as a user runs it.
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/catch.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// A folder of its own for one test.
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("tutavia_plan_" + std::to_string(::getpid()))) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+  std::size_t files() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+  }
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name) << text;
+    return path_ / name;
+  }
+
+  Outcome run(const std::string& arguments) const {
+    const std::string command = "cd " + path_.string() + " && " TUTAVIA_PLAN " " + arguments +
+                                " > ../" + path_.filename().string() + ".out 2> ../" +
+                                path_.filename().string() + ".err < /dev/null";
+    const int status = std::system(command.c_str());
+    const fs::path out = path_.string() + ".out", err = path_.string() + ".err";
+    Outcome outcome{WEXITSTATUS(status), read(out), read(err)};
+    fs::remove(out);
+    fs::remove(err);
+    return outcome;
+  }
+
+ private:
+  fs::path path_;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST_CASE("without options tutavia-plan plans the maze and writes maze.svg") {
+  const Folder folder;
+  const Outcome outcome = folder.run("");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(contains(outcome.out, "search astar, smoother delta"));
+  for (const char* goal : {"(14.5, 14.5)", "(7, 14)", "(14, 6)", "(2, 14)"}) {
+    CHECK(contains(outcome.out, goal));
+  }
+  CHECK(contains(read(folder / "maze.svg"), "</svg>"));
+  CHECK(folder.files() == 1);
+}
+
+TEST_CASE("every built-in map is planned with proof, and the result file says so") {
+  const Folder folder;
+  for (const char* map : {"array", "complex", "maze"}) {
+    const Outcome outcome = folder.run(std::string("--json - --map ") + map);
+    CHECK(outcome.code == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(json["tutavia"] == 1);
+    REQUIRE(json["results"].size() == 4);
+    for (const auto& result : json["results"]) {
+      CHECK(result["status"] == "success");
+      CHECK(result["certificate"]["status"] == "proved");
+      CHECK(result["certificate"]["lower"] >= 0.3);
+    }
+  }
+  CHECK(folder.files() == 0);
+}
+
+TEST_CASE("lists of algorithms run in every combination, comparison runs them all") {
+  const Folder folder;
+  const Outcome lists =
+      folder.run("--search dijkstra,astar --smoother none,shortcut --goal 14,6 --json r.json");
+  CHECK(lists.code == 0);
+  CHECK(nlohmann::json::parse(read(folder / "r.json"))["results"].size() == 4);
+  const Outcome names = folder.run("--list");
+  CHECK(names.code == 0);
+  CHECK(contains(names.out, "search: dijkstra astar"));
+  CHECK(contains(names.out, "smoother: none shortcut delta"));
+  const Outcome comparison = folder.run("--compare --map array");
+  CHECK(comparison.code == 0);
+  CHECK(contains(comparison.out, "all searches, smoother delta"));
+  CHECK(contains(comparison.out, "all smoothers, search astar"));
+}
+
+TEST_CASE("a goal without a plan gives exit code 1 and stands in the table and the JSON") {
+  const Folder folder;
+  const Outcome outcome = folder.run("--goal 14,6 --goal 9,3 --json r.json --svg p.svg");
+  CHECK(outcome.code == 1);
+  CHECK(contains(outcome.out, "goal_blocked"));
+  const auto json = nlohmann::json::parse(read(folder / "r.json"));
+  CHECK(json["results"][0]["status"] == "success");
+  CHECK(json["results"][1]["status"] == "goal_blocked");
+  CHECK(contains(read(folder / "p.svg"), "</svg>"));
+  CHECK(folder.run("--start 9,3").code == 1);
+  CHECK(contains(folder.run("--goal 17,3").out, "goal_out_of_bounds"));
+  CHECK(contains(folder.run("--goal=-1,3").out, "goal_out_of_bounds"));
+  CHECK(contains(folder.run("--goal 14,6 --time-limit 0").out, "budget_exhausted"));
+  const fs::path closed = folder.write("closed.json", R"({"bounds":[0,0,4,4],"safety_radius":0.1,
+      "start":[1,1],"goals":[[3,3]],"obstacles":[{"polygon":[[2,0],[2.2,0],[2.2,4],[2,4]]}]})");
+  const Outcome unreachable = folder.run("--workspace closed.json");
+  CHECK(unreachable.code == 1);
+  CHECK(contains(unreachable.out, "unreachable_at_resolution"));
+}
+
+TEST_CASE("bad usage and bad input give exit code 2 and one line that says what and where") {
+  const Folder folder;
+  const std::string open = R"({"bounds":[0,0,4,4],"safety_radius":0.1,"obstacles":[])";
+  folder.write("no_goal.json", open + R"(,"start":[1,1]})");
+  folder.write("no_start.json", open + R"(,"goals":[[1,1]]})");
+  folder.write("malformed.json", "{\n  \"bounds\": [0, 0 4, 4]\n}");
+  folder.write("negative.json", R"({"bounds":[0,0,4,4],"safety_radius":-1,"obstacles":[]})");
+  folder.write("infinite.json",
+               R"({"bounds":[0,0,4,4],"safety_radius":1,"obstacles":[{"polygon":[[0,1e999]]}]})");
+  const std::size_t files = folder.files();
+  struct Case {
+    std::string arguments, expected;
+  };
+  for (const Case& bad : {
+           Case{"--workspace no_goal.json", "no goal"},
+           Case{"--workspace no_start.json", "no start"},
+           Case{"--workspace malformed.json", "malformed.json: parse error at line 2, column 19"},
+           Case{"--workspace negative.json", "safety_radius must be finite and not negative"},
+           Case{"--workspace infinite.json", "1e999"},
+           Case{"--workspace missing.json", "missing.json: cannot be read"},
+           Case{"--radius -0.1", "safety_radius"},
+           Case{"--radius nan", "safety_radius"},
+           Case{"--resolution 0", "resolution must be positive"},
+           Case{"--resolution nan", "resolution must be positive"},
+           Case{"--resolution 1e-7", "160000001 x 160000001 cells needed"},
+           Case{"--goal 1", "--goal: expected X,Y"},
+           Case{"--goal 1,nan", "--goal: expected X,Y"},
+           Case{"--goal inf,1", "--goal: expected X,Y"},
+           Case{"--start 1,2,3", "--start: expected X,Y"},
+           Case{"--map castle", "unknown map \"castle\""},
+           Case{"--search dstar", "unknown name \"dstar\""},
+           Case{"--smoother delta,silk", "unknown name \"silk\""},
+           Case{"--smoother ''", "unknown name \"\""},
+           Case{"--colour red", "--colour"},
+           Case{"--map maze --workspace no_goal.json", "--map"},
+           Case{"--time-limit -1", "--time-limit"},
+           Case{"--seed x", "x"},
+           Case{"--svg no_folder/maze.svg", "no_folder/maze.svg: No such file"},
+           Case{"--json no_folder/maze.json", "no_folder/maze.json: No such file"},
+           Case{"--compare --search astar,dijkstra", "--compare"},
+       }) {
+    INFO("tutavia-plan " << bad.arguments);
+    const Outcome outcome = folder.run(bad.arguments);
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, bad.expected));
+    CHECK(lines(outcome.err) == 1);
+    CHECK(folder.files() == files);
+  }
+}
+
+TEST_CASE("unknown keys of a workspace file are warned of and change nothing") {
+  const Folder folder;
+  folder.write("scene.json", R"({"bounds":[0,0,4,4],"safety_radius":0.1,"obstacles":[],
+      "start":[1,1],"goals":[[3,3]],"colour":"red"})");
+  const Outcome outcome = folder.run("--workspace scene.json");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err == "tutavia-plan: scene.json: unknown key \"colour\" ignored\n");
+  CHECK(contains(outcome.out, "lattice 0.02 m"));
+}
+
+}  // namespace

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "tutavia/io/plan_json.hpp"
+
+#include "support/catch.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/smooth/delta_smoother.hpp"
+#include "tutavia/space/lattice_space.hpp"
+#include "tutavia/world/maps.hpp"
+
+namespace {
+
+using namespace tutavia;
+using Json = nlohmann::json;
+
+ResultHeader header(const Scene& scene, const Point& goal) {
+  return {"astar", "delta", scene.start, goal, scene.workspace.safety_radius};
+}
+
+TEST_CASE("a plan's numbers read back to the same doubles") {
+  const Scene scene = maps::complex();
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
+  Planner planner{AStar{}, DeltaSmoother{}};
+  const Plan plan = planner.plan(space, {.start = scene.start, .goal = scene.goals[1]}).value();
+  const auto file = result_file(Json::array({result_to_json(header(scene, scene.goals[1]), plan)}));
+  const Json json = Json::parse(file.dump());
+  CHECK(json["tutavia"] == 1);
+  const Json& result = json["results"][0];
+  CHECK(result["status"] == "success");
+  CHECK(result["fell_back"] == false);
+  CHECK(result["start"] == Json{scene.start.x(), scene.start.y()});
+  CHECK(result["metrics"]["length"].get<double>() == plan.metrics.length);
+  CHECK(result["certificate"]["status"] == "proved");
+  CHECK(result["certificate"]["lower"].get<double>() == plan.certificate.lower);
+  REQUIRE(result["curve"].size() == plan.curve.pieces().size());
+  std::size_t beziers = 0;
+  for (std::size_t i = 0; i < result["curve"].size(); ++i) {
+    const Json& piece = result["curve"][i];
+    const Point start = start_of(plan.curve.pieces()[i]);
+    CHECK(piece["points"][0][0].get<double>() == start.x());
+    CHECK(piece["points"][0][1].get<double>() == start.y());
+    if (piece["type"] == "bezier") {
+      ++beziers;
+      CHECK(piece["points"].size() == 3);
+    } else {
+      CHECK(piece["type"] == "line");
+      CHECK(piece["points"].size() == 2);
+    }
+  }
+  CHECK(beziers > 0);
+  CHECK(result["route"].size() == plan.route.curve.pieces().size());
+  for (const char* key : {"turning_points", "turning_angle", "interior_angle_sum", "max_curvature",
+                          "min_clearance", "mean_clearance"}) {
+    CHECK(result["metrics"].contains(key));
+  }
+  for (const char* key :
+       {"expanded", "generated", "search_us", "smooth_us", "certify_us", "seed"}) {
+    CHECK(result["stats"].contains(key));
+  }
+}
+
+TEST_CASE("a failure is written with its code, its detail and the clearance") {
+  const Scene scene = maps::maze();
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
+  Planner planner{AStar{}, DeltaSmoother{}};
+  const auto plan = planner.plan(space, {.start = scene.start, .goal = {9, 3}});
+  REQUIRE_FALSE(plan);
+  const Json json = Json::parse(result_to_json(header(scene, {9, 3}), plan.error()).dump());
+  CHECK(json["status"] == "goal_blocked");
+  CHECK(json["clearance"].get<double>() == Approx(-0.2));
+  CHECK_FALSE(json.contains("curve"));
+  CHECK_FALSE(json["detail"].get<std::string>().empty());
+}
+
+TEST_CASE("where there are no obstacles the clearance is null") {
+  const auto space =
+      LatticeSpace::build({.bounds = {{0, 0}, {4, 4}}, .safety_radius = 0.1}, {.resolution = 0.5})
+          .value();
+  Planner planner{AStar{}};
+  const Plan plan = planner.plan(space, {.start = {1, 1}, .goal = {3, 3}}).value();
+  const Json json = Json::parse(result_to_json(ResultHeader{}, plan).dump());
+  CHECK(json["certificate"]["lower"].is_null());
+  CHECK(json["certificate"]["status"] == "proved");
+}
+
+}  // namespace

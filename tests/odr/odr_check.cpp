@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+
+#include "support/catch.hpp"
+
+namespace tutavia::test {
+
+std::size_t searches_in_unit_one();
+std::size_t searches_in_unit_two();
+
+TEST_CASE("two translation units that include everything link into one program") {
+  CHECK(searches_in_unit_one() == searches_in_unit_two());
+}
+
+}  // namespace tutavia::test

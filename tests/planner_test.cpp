@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "tutavia/planner.hpp"
+
+#include "support/catch.hpp"
+#include "support/searcher_contract.hpp"
+#include "tutavia/pull/shortcut.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/search/dijkstra.hpp"
+#include "tutavia/smooth/delta_smoother.hpp"
+
+namespace {
+
+using namespace tutavia;
+
+/// Goes straight, whatever is in the way.
+struct BlindSearch {
+  static constexpr std::string_view name = "blind";
+  struct Scratch {};
+  template <class S, class O>
+  Expected<Route, Failure> search(const S&, const Query& query, Scratch&, O&) const {
+    const Point points[] = {query.start, query.goal};
+    return Route{.curve = Curve::polyline(points)};
+  }
+};
+
+/// Replaces every curve by its chord, whatever is in the way.
+struct BlindSmoother {
+  static constexpr std::string_view name = "blind";
+  template <class S>
+  Expected<Curve, Failure> smooth(const S&, const Curve& curve, const Budget&) const {
+    const Point points[] = {curve.start(), curve.end()};
+    return Curve::polyline(points);
+  }
+};
+
+/// Fails with a code of one's choice.
+struct FailingSmoother {
+  static constexpr std::string_view name = "failing";
+  PlanError code = PlanError::budget_exhausted;
+  template <class S>
+  Expected<Curve, Failure> smooth(const S&, const Curve&, const Budget&) const {
+    return fail(code, "on purpose");
+  }
+};
+
+const LatticeSpace& space() {
+  static const LatticeSpace s =
+      LatticeSpace::build(test::open_scene().workspace, {.resolution = 0.1}).value();
+  return s;
+}
+const Query query{.start = {0.5, 2}, .goal = {3.5, 2}, .seed = 7};
+
+TEST_CASE(
+    "all twelve start-goal pairs are planned and proved by every search with every smoother") {
+  const auto plans = [](auto planner) {
+    std::size_t proved = 0;
+    for (const Scene& scene : {maps::array(), maps::complex(), maps::maze()}) {
+      const auto lattice =
+          LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}).value();
+      for (const Point& goal : scene.goals) {
+        const auto plan = planner.plan(lattice, {.start = scene.start, .goal = goal});
+        REQUIRE(plan);
+        CHECK_FALSE(plan->fell_back);
+        CHECK(plan->certificate.lower >= 0.3);
+        if (plan->certificate.status == ProofStatus::proved) ++proved;
+      }
+    }
+    return proved;
+  };
+  CHECK(plans(Planner{AStar{}}) == 12);
+  CHECK(plans(Planner{AStar{}, Shortcut{}}) == 12);
+  CHECK(plans(Planner{AStar{}, DeltaSmoother{}}) == 12);
+  CHECK(plans(Planner{Dijkstra{}}) == 12);
+  CHECK(plans(Planner{Dijkstra{}, Shortcut{}}) == 12);
+  CHECK(plans(Planner{Dijkstra{}, DeltaSmoother{}}) == 12);
+}
+
+TEST_CASE("an unsafe route never leaves the planner") {
+  Planner planner{BlindSearch{}};
+  const auto plan = planner.plan(space(), query);
+  REQUIRE_FALSE(plan);
+  CHECK(plan.error().code == PlanError::not_proved);
+  CHECK(planner.plan(space(), {.start = {0.5, 1}, .goal = {0.5, 3}}));
+}
+
+TEST_CASE("an unsafe smoother makes the planner fall back to the route") {
+  Planner planner{AStar{}, BlindSmoother{}};
+  const Plan plan = planner.plan(space(), query).value();
+  CHECK(plan.fell_back);
+  CHECK(plan.certificate.status == ProofStatus::proved);
+  CHECK(test::same_curve(plan.curve, plan.route.curve));
+}
+
+TEST_CASE("a smoother that fails leaves the route, unless its options are wrong") {
+  Planner late{AStar{}, FailingSmoother{}};
+  CHECK(late.plan(space(), query).value().fell_back);
+  Planner wrong{AStar{}, FailingSmoother{PlanError::invalid_option}};
+  const auto refused = wrong.plan(space(), query);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code == PlanError::invalid_option);
+  CHECK(refused.error().detail == "on purpose");
+}
+
+TEST_CASE("a plan carries metrics, statistics and the seed") {
+  Planner planner{AStar{}, Shortcut{}};
+  const Plan plan = planner.plan(space(), query).value();
+  CHECK(plan.metrics.length == plan.curve.length());
+  CHECK(plan.metrics.min_clearance == plan.certificate.lower);
+  CHECK(plan.metrics.mean_clearance > plan.metrics.min_clearance);
+  CHECK(plan.stats.expanded > 0);
+  CHECK(plan.stats.search_us > 0);
+  CHECK(plan.stats.certify_us > 0);
+  CHECK(plan.stats.seed == 7);
+  const auto failure = planner.plan(space(), {.start = {2, 2}, .goal = {0, 0}, .seed = 9});
+  CHECK(failure.error().stats.seed == 9);
+}
+
+TEST_CASE("start and goal in one place give a plan of one point") {
+  Planner planner{AStar{}, DeltaSmoother{}};
+  const Plan plan = planner.plan(space(), {.start = {1, 1}, .goal = {1, 1}}).value();
+  CHECK(plan.metrics.length == 0);
+  CHECK(plan.certificate.status == ProofStatus::proved);
+  CHECK(plan.curve.point(0) == Point(1, 1));
+}
+
+TEST_CASE("a start exactly at the safety radius is planned and proved") {
+  // The obstacle's left edge is x = 1.5; the safety radius 0.25 is exact in binary.
+  Planner planner{AStar{}, DeltaSmoother{}};
+  const auto plan = planner.plan(space(), {.start = {1.25, 2}, .goal = {2.75, 2}});
+  REQUIRE(plan);
+  CHECK(plan->certificate.status == ProofStatus::proved);
+  CHECK(plan->certificate.lower == 0.25);
+}
+
+}  // namespace

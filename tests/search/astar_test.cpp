@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "tutavia/search/astar.hpp"
+
+#include "support/searcher_contract.hpp"
+#include "tutavia/search/dijkstra.hpp"
+
+namespace {
+
+using namespace tutavia;
+
+TEST_CASE("A* keeps the searcher contract") { test::searcher_contract(AStar{}); }
+
+TEST_CASE(
+    "A* finds paths as short as Dijkstra's with fewer expansions, under every movement rule") {
+  const std::uint64_t seed = 40;
+  test::WorldGenerator worlds(seed);
+  std::uint64_t astar_expanded = 0, dijkstra_expanded = 0;
+  std::size_t found = 0;
+  for (std::size_t round = 0; round < test::scaled(100); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const Workspace world = worlds.workspace();
+    const auto rule = static_cast<MovementRule>(round % 4);
+    const auto space =
+        LatticeSpace::build(world, {.resolution = world.bounds.width() / 30, .movement = rule})
+            .value();
+    const Query query{.start = worlds.point(world), .goal = worlds.point(world)};
+    const auto a = test::search_once(AStar{}, space, query);
+    const auto d = test::search_once(Dijkstra{}, space, query);
+    REQUIRE(a.has_value() == d.has_value());
+    if (!a) {
+      CHECK(a.error().code == d.error().code);
+      continue;
+    }
+    ++found;
+    // Link costs are rounded up to 1 / 13860 of a step.
+    CHECK(a->cost == Approx(d->cost).epsilon(0).margin(2 * space.frame().resolution / 13860));
+    astar_expanded += a->stats.expanded;
+    dijkstra_expanded += d->stats.expanded;
+  }
+  CHECK(found > test::scaled(100) / 5);
+  CHECK(astar_expanded < dijkstra_expanded);
+}
+
+TEST_CASE("A* tells its observer of every expansion and every label") {
+  struct Counter {
+    std::uint64_t expansions = 0, labels = 0;
+    void expanded(const Point&) { ++expansions; }
+    void generated(const Point&) { ++labels; }
+  } counter;
+  const Scene scene = maps::maze();
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
+  AStar::Scratch scratch;
+  const auto route =
+      AStar{}.search(space, {.start = scene.start, .goal = scene.goals[0]}, scratch, counter);
+  REQUIRE(route);
+  CHECK(counter.expansions == route->stats.expanded);
+  CHECK(counter.labels == route->stats.generated);
+  CHECK(counter.expansions > 100);
+}
+
+TEST_CASE("A* on the built-in maps finds the lengths known for a tolerant lattice") {
+  // Array to (6, 8.3) and maze to (14.5, 14.5): an independent prototype gave 9.9349 and 20.7865.
+  const auto length = [](const Scene& scene, std::size_t goal) {
+    const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
+    return test::search_once(AStar{}, space, {.start = scene.start, .goal = scene.goals[goal]})
+        .value()
+        .cost;
+  };
+  CHECK(length(maps::array(), 0) == Approx(9.9349).margin(1e-4));
+  CHECK(length(maps::array(), 1) == Approx(17.4083).margin(1e-4));
+  CHECK(length(maps::maze(), 0) == Approx(20.7865).margin(1e-4));
+  CHECK(length(maps::maze(), 2) == Approx(18.8794).margin(1e-4));
+}
+
+}  // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "tutavia/search/query.hpp"
+
+#include "support/catch.hpp"
+#include "tutavia/space/inflated_space.hpp"
+
+namespace {
+
+using namespace tutavia;
+
+TEST_CASE("a blocked start is reported before a blocked goal, with its clearance") {
+  const auto space =
+      InflatedSpace::build(
+          {.bounds = {{0, 0}, {4, 4}}, .safety_radius = 0.5, .obstacles = {Disc{{2, 2}, 1}}})
+          .value();
+  const auto both = check_query(space, {.start = {2, 3.25}, .goal = {2, 2}});
+  REQUIRE(both);
+  CHECK(both->code == PlanError::start_blocked);
+  CHECK(*both->clearance == Approx(0.25));
+  CHECK(both->detail.find("0.25") != std::string::npos);
+  const auto goal = check_query(space, {.start = {2, 3.5}, .goal = {2, 2}});
+  REQUIRE(goal);
+  CHECK(goal->code == PlanError::goal_blocked);
+  CHECK(*goal->clearance == Approx(-1));
+  CHECK_FALSE(check_query(space, {.start = {2, 3.5}, .goal = {0, 0}}));
+}
+
+}  // namespace
