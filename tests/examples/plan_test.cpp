@@ -157,7 +157,7 @@ TEST_CASE("bad usage and bad input give exit code 2 and one line that says what 
            Case{"--workspace no_goal.json", "no goal"},
            Case{"--workspace no_start.json", "no start"},
            Case{"--workspace malformed.json", "malformed.json: parse error at line 2, column 19"},
-           Case{"--workspace negative.json", "safety_radius must be finite and not negative"},
+           Case{"--workspace negative.json", "safety_radius must not be negative"},
            Case{"--workspace infinite.json", "1e999"},
            Case{"--workspace missing.json", "missing.json: cannot be read"},
            Case{"--radius -0.1", "safety_radius"},

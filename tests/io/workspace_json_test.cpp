@@ -74,8 +74,7 @@ TEST_CASE("every wrong field is named with its place") {
   contains(complaint("{}"), "\"bounds\" is missing");
   contains(complaint(with("bounds", "[0,0,4]")), "bounds: expected [x0, y0, x1, y1]");
   contains(complaint(with("bounds", "[4,0,0,4]")), "bounds are empty");
-  contains(complaint(with("safety_radius", "-0.1")),
-           "safety_radius must be finite and not negative");
+  contains(complaint(with("safety_radius", "-0.1")), "safety_radius must not be negative");
   contains(complaint(with("safety_radius", "\"big\"")), "safety_radius: expected a number");
   contains(complaint(with("obstacles", "{}")), "obstacles: expected an array");
   contains(complaint(with("obstacles", "[{\"polygon\":[[0,0],[1]]}]")),

@@ -30,7 +30,7 @@ class Random {
   /// Uniform in [0, 1), a multiple of 2^-53.
   double uniform() { return static_cast<double>((*this)() >> 11) * 0x1p-53; }
 
-  /// Uniform in [low, high).
+  /// Uniform between low and high; high itself only where rounding leads to it.
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
   /// Uniform in {0, ..., bound - 1}, for a bound far below 2^64; 0 for bound 0.

@@ -59,6 +59,8 @@ class Curve {
   /// The polyline through `points`; a single point gives a curve of length 0.
   static Curve polyline(std::span<const Point> points) {
     Curve curve;
+    curve.pieces_.reserve(points.size());
+    curve.ends_.reserve(points.size());
     if (points.size() == 1) curve.push_back(Segment{points[0], points[0]});
     for (std::size_t i = 1; i < points.size(); ++i) {
       curve.push_back(Segment{points[i - 1], points[i]});
@@ -100,7 +102,10 @@ class Curve {
     s = std::clamp(s, 0.0, length());
     auto i =
         static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), s) - ends_.begin());
-    i = std::min(i, pieces_.size() - 1);
+    if (i == pieces_.size()) {  // the end: of the last piece that has a length
+      while (i > 1 && ends_[i - 2] == length()) --i;
+      return {i - 1, 1.0};
+    }
     const double local = s - (i == 0 ? 0.0 : ends_[i - 1]);
     const double total = ends_[i] - (i == 0 ? 0.0 : ends_[i - 1]);
     return {i, std::visit([&](const auto& p) { return parameter(p, local, total); }, pieces_[i])};
@@ -113,10 +118,10 @@ class Curve {
     const auto count = static_cast<std::size_t>(std::ceil(length() / step));
     std::vector<CurvePoint> states;
     states.reserve(count + 1);
-    for (std::size_t i = 0; i <= count; ++i) {
-      states.push_back(
-          at(count == 0 ? 0.0 : length() * static_cast<double>(i) / static_cast<double>(count)));
+    for (std::size_t i = 0; i < count; ++i) {
+      states.push_back(at(length() * static_cast<double>(i) / static_cast<double>(count)));
     }
+    states.push_back(at(length()));
     return states;
   }
 

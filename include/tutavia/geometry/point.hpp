@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <numbers>
 
 #include "tutavia/core/version.hpp"
 
@@ -20,12 +21,18 @@ inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y
 /// `v` turned by +90 degrees.
 inline Point perpendicular(const Point& v) { return {-v.y(), v.x()}; }
 
+/// The angle of the vector (x, y) in (-pi, pi] [rad]; 0 for the null vector, whatever its signs.
+inline double angle(double y, double x) {
+  if (y == 0) return x < 0 ? std::numbers::pi : 0.0;
+  return std::atan2(y, x);
+}
+
 /// Direction of a vector in (-pi, pi] [rad]; 0 for the null vector.
-inline double heading(const Point& v) { return std::atan2(v.y(), v.x()); }
+inline double heading(const Point& v) { return angle(v.y(), v.x()); }
 
 /// The angle by which `from` turns into `to`, in (-pi, pi] [rad], left positive.
 inline double deflection(const Point& from, const Point& to) {
-  return std::atan2(cross(from, to), from.dot(to));
+  return angle(cross(from, to), from.dot(to));
 }
 
 inline bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }

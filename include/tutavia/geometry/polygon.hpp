@@ -47,35 +47,27 @@ inline double signed_area_twice(const Ring& ring) {
   return sum;
 }
 
-/// How often a ring winds around a point, and on which side of it an odd-even count puts it.
-struct Winding {
-  int number = 0;    ///< signed turns around the point
-  bool odd = false;  ///< parity of the crossings of a ray
-};
-
-/// Winding of `ring` around a point that is not on it; decided by exact predicates.
-inline Winding winding(const Ring& ring, const Point& p) {
-  Winding result;
+/// How often `ring` winds around a point that is not on it, counterclockwise positive; decided by
+/// exact predicates. Its parity is that of the crossings of any ray from the point.
+inline int winding_number(const Ring& ring, const Point& p) {
+  int result = 0;
   for_each_edge(ring, [&](const Point& a, const Point& b) {
     const bool a_above = a.y() > p.y(), b_above = b.y() > p.y();
     if (a_above == b_above) return;
     const int side = orientation(a, b, p);
     if (side != (b_above ? 1 : -1)) return;  // the edge crosses the ray on p's other side
-    result.number += side;
-    result.odd = !result.odd;
+    result += side;
   });
   return result;
 }
 
 /// Whether a point off the polygon's edges lies in its solid part. A ring that crosses itself is
-/// read so that an obstacle never shrinks: its outer ring encloses what the non-zero or the
-/// odd-even rule encloses, a hole only what both do.
+/// read so that an obstacle never shrinks: its outer ring encloses what the non-zero rule encloses
+/// (all that the even-odd rule does, and more), a hole only what the even-odd rule does.
 inline bool contains(const Polygon& polygon, const Point& p) {
-  const Winding outer = winding(polygon.outer, p);
-  if (outer.number == 0 && !outer.odd) return false;
+  if (winding_number(polygon.outer, p) == 0) return false;
   for (const Ring& hole : polygon.holes) {
-    const Winding inner = winding(hole, p);
-    if (inner.number != 0 && inner.odd) return false;
+    if (winding_number(hole, p) % 2 != 0) return false;
   }
   return true;
 }

@@ -59,17 +59,21 @@ struct Approach {
   double parameter = 0;  ///< on the first segment
 };
 
-/// The shortest distance between two segments and a place on `s` where it is attained; 0 exactly
-/// when they meet (decided by exact predicates), else with the error of `distance`.
+/// The shortest distance between two segments and a place on `s` where it is attained: 0 when they
+/// meet (decided by exact predicates), else with the error of `distance`.
 inline Approach approach(const Segment& s, const Segment& other) {
   if (segments_intersect(s.a, s.b, other.a, other.b)) {
-    const Point d = s.b - s.a, e = other.b - other.a;
-    const double denominator = cross(d, e);
-    if (denominator == 0) {  // they overlap: an end of one lies on the other
-      const double t = s.nearest_parameter(other.a);
-      return {0, distance(other.a, s) <= distance(other.b, s) ? t : s.nearest_parameter(other.b)};
+    const Point e = other.b - other.a;
+    const double at_a = s.nearest_parameter(other.a), at_b = s.nearest_parameter(other.b);
+    const double denominator = cross(s.b - s.a, e);
+    double place = at_a, least = distance(s.point(at_a), other);
+    // Nearly collinear segments meet at an end of one of them rather than at a computed crossing.
+    for (const double t : {cross(other.a - s.a, e) / denominator, at_b, 0.0, 1.0}) {
+      if (!(t >= 0 && t <= 1)) continue;
+      const double gap = distance(s.point(t), other);
+      if (gap < least) place = t, least = gap;
     }
-    return {0, std::clamp(cross(other.a - s.a, e) / denominator, 0.0, 1.0)};
+    return {0, place};
   }
   Approach best{distance(s.a, other), 0};
   if (const double d = distance(s.b, other); d < best.distance) best = {d, 1};

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 
 #include "tutavia/grid/cell.hpp"
 
@@ -23,7 +23,7 @@ enum class MovementRule {
 
 /// Cost of a path in exact integers: 13860 for a straight step, 19601 for a diagonal one. Their
 /// ratio is sqrt(2) to a relative 1.3e-9 (a convergent of its continued fraction, so no diagonal is
-/// ever priced below sqrt(2) straight steps), and 64 bits hold 6e14 steps.
+/// ever priced below sqrt(2) straight steps), and 64 bits hold 4.7e14 steps.
 using Cost = std::int64_t;
 inline constexpr Cost straight_cost = 13860;
 inline constexpr Cost diagonal_cost = 19601;

@@ -58,6 +58,9 @@ class BestFirstScratch {
     }
   };
 
+  /// For the points of the path while it is read from the labels.
+  std::vector<Point>& points() { return points_; }
+
   void begin(std::size_t size) {
     if (labels_.size() < size) labels_.resize(size);
     if (++query_ == 0) {  // the counter wrapped: old labels would look new
@@ -94,6 +97,7 @@ class BestFirstScratch {
  private:
   std::vector<Label> labels_;
   std::vector<Entry> open_;
+  std::vector<Point> points_;
   std::uint32_t query_ = 0;
   std::uint64_t sequence_ = 0;
 };

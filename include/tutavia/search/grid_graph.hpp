@@ -75,8 +75,9 @@ class GridGraph {
 
   /// The path that a finished search left in its labels, one piece per step. A cell that coincides
   /// with the start or the goal gives way to it.
-  Curve path(const BestFirstScratch& scratch) const {
-    std::vector<Point> points{query_.goal};
+  Curve path(BestFirstScratch& scratch) const {
+    std::vector<Point>& points = scratch.points();
+    points.assign(1, query_.goal);
     NodeId node = scratch.find(target())->parent;
     if (cost_to_target(node) == 0) node = scratch.find(node)->parent;
     while (node != source()) {
@@ -120,8 +121,8 @@ class GridGraph {
 /// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also where no cell around the
 /// point can be reached from it; `unreachable_at_resolution`; what the budget says.
 template <GridSpace S, class Run>
-Expected<Route, Failure> search_grid(const S& space, const Query& query,
-                                     const BestFirstScratch& scratch, Run run) {
+Expected<Route, Failure> search_grid(const S& space, const Query& query, BestFirstScratch& scratch,
+                                     Run run) {
   if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
   Route route;
   if (space.segment_free(query.start, query.goal)) {

@@ -28,6 +28,8 @@ struct Query {
 /// the clearance there where the space knows it.
 template <FreeSpace S>
 std::optional<Failure> check_endpoint(const S& space, const Point& p, bool is_start) {
+  const bool within = Box(space.bounds()).contains(p);  // false for NaN
+  if (within && space.is_free(p)) return std::nullopt;
   const std::string name = is_start ? "start" : "goal";
   Failure failure;
   if (!is_finite(p)) {
@@ -35,12 +37,11 @@ std::optional<Failure> check_endpoint(const S& space, const Point& p, bool is_st
     return failure;
   }
   const auto where = name + " (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")";
-  if (!Box(space.bounds()).contains(p)) {
+  if (!within) {
     failure.code = is_start ? PlanError::start_out_of_bounds : PlanError::goal_out_of_bounds;
     failure.detail = where + " lies outside the bounds";
     return failure;
   }
-  if (space.is_free(p)) return std::nullopt;
   failure.code = is_start ? PlanError::start_blocked : PlanError::goal_blocked;
   failure.detail = where + " lies in an obstacle or its safety zone";
   if constexpr (ClearanceSpace<S>) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -49,13 +50,15 @@ inline bool is_valid_point(const Point& p) {
   return is_valid_coordinate(p.x()) && is_valid_coordinate(p.y());
 }
 
+inline constexpr const char* coordinate_rule =
+    "must be finite, and 0 or between 2^-400 and 2^400 in magnitude";
+
 /// A complaint about the first bad point of a ring, or nothing.
 inline std::string complaint(const Ring& ring, const std::string& name) {
   if (ring.empty()) return name + " has no points";
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (!is_valid_point(ring[i])) {
-      return name + "[" + std::to_string(i) + "] is not a pair of finite coordinates" +
-             (is_finite(ring[i]) ? " within 2^-400 to 2^400" : "");
+      return name + "[" + std::to_string(i) + "] " + coordinate_rule;
     }
   }
   return {};
@@ -63,9 +66,9 @@ inline std::string complaint(const Ring& ring, const std::string& name) {
 
 inline std::string complaint(const Obstacle& obstacle, const std::string& name) {
   if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
-    if (!is_valid_point(disc->center)) return name + ".center is not a pair of finite coordinates";
+    if (!is_valid_point(disc->center)) return name + ".center " + coordinate_rule;
     if (!is_valid_coordinate(disc->radius) || disc->radius < 0) {
-      return name + ".radius must be finite and not negative";
+      return name + ".radius must not be negative, and " + coordinate_rule;
     }
     return {};
   }
@@ -102,21 +105,23 @@ inline double Workspace::magnitude() const {
 }
 
 /// Checks that a workspace can be planned in: `invalid_input` with the object and its index for a
-/// coordinate that is not finite, an empty ring, a negative radius, empty bounds, or coordinates so
-/// large that their rounding (32 u M) exceeds a thousandth of the safety radius.
+/// coordinate that is not finite or has a magnitude outside 2^-400 to 2^400 (0 is fine), an empty
+/// ring, a negative radius, empty bounds, or coordinates so large that their rounding (32 u M)
+/// exceeds a thousandth of the safety radius.
 inline Expected<void, Failure> validate(const Workspace& workspace) {
   const auto invalid = [](std::string detail) {
     return fail(PlanError::invalid_input, std::move(detail));
   };
   const Box& bounds = workspace.bounds;
   if (!detail::is_valid_point(bounds.min) || !detail::is_valid_point(bounds.max)) {
-    return invalid("bounds must be finite");
+    return invalid(std::string("bounds ") + detail::coordinate_rule);
   }
   if (!(bounds.min.x() <= bounds.max.x() && bounds.min.y() <= bounds.max.y())) {
     return invalid("bounds are empty: the minimum lies above the maximum");
   }
   if (!detail::is_valid_coordinate(workspace.safety_radius) || workspace.safety_radius < 0) {
-    return invalid("safety_radius must be finite and not negative");
+    return invalid(std::string("safety_radius must not be negative, and ") +
+                   detail::coordinate_rule);
   }
   for (std::size_t i = 0; i < workspace.obstacles.size(); ++i) {
     std::string complaint =
