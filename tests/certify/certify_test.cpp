@@ -157,6 +157,25 @@ TEST_CASE("what is not a curve is never proved") {
             .status != ProofStatus::proved);
 }
 
+TEST_CASE("an arc is proved in closed form, in the bounds as well") {
+  const double pi = std::acos(-1);
+  const auto space = disc_space(0.5);
+  const Certificate around = certify(space, curve_of(Arc::around({0, 0}, 1.5 + 1e-12, 0, 2 * pi)));
+  CHECK(around.status == ProofStatus::proved);
+  CHECK(around.lower == Approx(0.5));
+  CHECK(around.upper - around.lower <= 1e-6);
+  CHECK(around.evaluations == 2);
+  CHECK(certify(space, curve_of(Arc::around({0, 0}, 1.5 - 1e-12, 0, 1))).status ==
+        ProofStatus::violated);
+  CHECK(certify(space, curve_of(Arc::around({0, 0}, 1.5, 0.3, 1))).status ==
+        ProofStatus::undecided);
+  CHECK(certify(space, curve_of(Arc::around({5, 0}, 4.9, pi / 2, -pi))).status ==
+        ProofStatus::proved);
+  const Certificate out = certify(space, curve_of(Arc::around({5, 0}, 5.1, pi / 2, -pi)));
+  CHECK(out.status == ProofStatus::violated);
+  CHECK(out.point.x() > 10);
+}
+
 TEST_CASE("a single point has a certificate, and an empty world an infinite one") {
   const Point point[] = {{3, 0}};
   const Certificate c = certify(disc_space(0.5), Curve::polyline(point));

@@ -18,6 +18,10 @@ TEST_CASE("a blocked start is reported before a blocked goal, with its clearance
   CHECK(both->code == PlanError::start_blocked);
   CHECK(*both->clearance == Approx(0.25));
   CHECK(both->detail.find("0.25") != std::string::npos);
+  CHECK(both->obstacle == 0u);
+  REQUIRE(both->nearest_safe_point);
+  CHECK(both->nearest_safe_point->isApprox(Point(2, 3.5), 1e-9));
+  CHECK(both->detail.find("(2.000000, 3.500000)") != std::string::npos);
   const auto goal = check_query(space, {.start = {2, 3.5}, .goal = {2, 2}});
   REQUIRE(goal);
   CHECK(goal->code == PlanError::goal_blocked);

@@ -32,7 +32,7 @@ class WorldGenerator {
     const std::uint64_t kind = random_.below(10);
     world.safety_radius = kind == 0   ? 0.0
                           : kind == 1 ? 0.5
-                                      : size * std::pow(random_.uniform(), 2) / 10;
+                                      : std::max(1e-6, size * std::pow(random_.uniform(), 2) / 10);
     const std::uint64_t count = random_.below(14);
     for (std::uint64_t i = 0; i < count; ++i) world.obstacles.push_back(obstacle(world.bounds));
     return world;

@@ -39,43 +39,52 @@ class ClearanceInterval {
 
   template <class P>
   void add(const P& piece, std::size_t index) {
-    const double magnitude = std::fmax(space_.magnitude(), piece.box().magnitude());
-    PartStack<P> stack(piece);
-    std::size_t evaluations = 0;
-    while (!stack.empty()) {
-      const Part<P> part = stack.pop();
-      const double margin = part.piece.deviation() + space_.slack() +
-                            part_error(std::is_same_v<P, Segment> ? 0 : part.depth, magnitude);
-      const Segment chord{part.piece.start(), part.piece.end()};
-      const Proximity found = space_.nearest(chord, out_.upper + margin);
-      ++evaluations;
-      if (found.distance + margin < out_.upper) {
-        out_.upper = found.distance + margin;
-        out_.piece = index;
-        out_.parameter = part.parameter(found.parameter);
-        out_.point = piece.point(out_.parameter);
-        out_.obstacle = found.obstacle;
-        out_.edge = found.edge;
-      }
-      const double lower = found.distance - margin;
-      const bool done = lower >= out_.upper - options_.epsilon ||
-                        part.depth == PartStack<P>::max_depth ||
-                        evaluations >= options_.max_evaluations_per_piece;
-      if constexpr (!std::is_same_v<P, Segment>) {
-        if (!done) {
+    magnitude_ = std::fmax(space_.magnitude(), piece.box().magnitude());
+    if constexpr (Divisible<P>) {
+      PartStack<P> stack(piece);
+      std::size_t evaluations = 0;
+      while (!stack.empty()) {
+        const Part<P> part = stack.pop();
+        const Segment chord{part.piece.start(), part.piece.end()};
+        const double lower = narrow(piece, index, part, chord, part.piece.deviation());
+        ++evaluations;
+        if (lower >= out_.upper - options_.epsilon || part.depth == PartStack<P>::max_depth ||
+            evaluations >= options_.max_evaluations_per_piece) {
+          out_.lower = std::min(out_.lower, lower);
+        } else {
           stack.push_halves(part);
-          continue;
         }
       }
-      out_.lower = std::min(out_.lower, lower);
+    } else {
+      out_.lower = std::min(out_.lower, narrow(piece, index, Part<P>{piece, 0, 1, 0}, piece, 0));
     }
-    out_.evaluations += evaluations;
   }
 
  private:
+  /// Takes the distance of one part, by a stand-in for it that deviates from it by `deviation` at
+  /// most: lowers the upper bound where it can and returns the part's lower bound.
+  template <class P, class StandIn>
+  double narrow(const P& piece, std::size_t index, const Part<P>& part, const StandIn& stand_in,
+                double deviation) {
+    const double margin =
+        deviation + rounding_slack(magnitude_) + piece_error(piece, part.depth, magnitude_);
+    const Proximity found = space_.nearest(stand_in, out_.upper + margin);
+    ++out_.evaluations;
+    if (found.distance + margin < out_.upper) {
+      out_.upper = found.distance + margin;
+      out_.piece = index;
+      out_.parameter = part.parameter(found.parameter);
+      out_.point = piece.point(out_.parameter);
+      out_.obstacle = found.obstacle;
+      out_.edge = found.edge;
+    }
+    return found.distance - margin;
+  }
+
   const S& space_;
   const CertifyOptions& options_;
   Certificate& out_;
+  double magnitude_ = 0;
 };
 
 }  // namespace detail

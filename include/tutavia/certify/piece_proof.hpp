@@ -10,6 +10,7 @@
 #include "tutavia/certify/certificate.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/space/concepts.hpp"
+#include "tutavia/world/workspace.hpp"
 
 /// \file
 /// Decides whether one piece keeps a distance from all obstacles.
@@ -59,10 +60,101 @@ class PartStack {
   std::size_t size_;
 };
 
-/// How far a computed part of a piece can be from the true one, and its computed deviation from the
-/// true deviation [m]: six roundings per halving and as many at the end.
-inline double part_error(int depth, double magnitude) {
+/// Pieces that are refined by halving; segments and arcs have distances in closed form.
+template <class P>
+concept Divisible = requires(const P& piece) {
+  piece.halves();
+  piece.deviation();
+};
+
+/// How far computed places of a piece can be from the true ones, and its computed deviation from
+/// the true one [m]. Halved pieces: six roundings per halving and as many at the end.
+inline double piece_error(const Segment&, int, double) { return 0; }
+inline double piece_error(const Arc& arc, int, double) { return arc.evaluation_error(); }
+template <Divisible P>
+double piece_error(const P&, int depth, double magnitude) {
   return 6 * (depth + 1) * 0x1p-53 * magnitude;
+}
+
+/// A segment against the obstacles' boundaries: one distance, and the space's exact test for ties
+/// at its own safety radius.
+template <ClearanceSpace S>
+PieceProof prove(const S& space, const Segment& segment, double distance, double slack,
+                 std::size_t) {
+  const Proximity found = space.nearest(segment, distance + slack);
+  PieceProof proof{ProofStatus::undecided, found.parameter, 1};
+  if (found.distance >= distance + slack) {
+    proof.status = ProofStatus::proved;
+  } else if (found.distance < distance - slack) {
+    proof.status = ProofStatus::violated;
+  } else if (distance == space.safety_radius()) {
+    if (space.segment_free(segment.a, segment.b)) {
+      proof.status = ProofStatus::proved;
+    } else if (distance > 0) {  // at radius 0 the space refuses some contacts that are no violation
+      proof.status = ProofStatus::violated;
+    }
+  }
+  return proof;
+}
+
+/// An arc: one distance in closed form, and its extremes against the bounds.
+template <ClearanceSpace S>
+PieceProof prove(const S& space, const Arc& arc, double distance, double slack, std::size_t) {
+  const double error = slack + arc.evaluation_error();
+  if (!std::isfinite(error)) return {};
+  const Proximity found = space.nearest(arc, distance + error);
+  PieceProof proof{ProofStatus::proved, found.parameter, 1};
+  if (found.distance < distance - error) {
+    proof.status = ProofStatus::violated;
+    return proof;
+  }
+  if (!(found.distance >= distance + error)) proof.status = ProofStatus::undecided;
+  arc.for_each_extreme([&](double t) {
+    const Point p = arc.point(t);
+    if (proof.status == ProofStatus::violated || Box(space.bounds()).inflated(-error).contains(p)) {
+      return;
+    }
+    const bool outside = !Box(space.bounds()).inflated(error).contains(p);
+    proof.status = outside ? ProofStatus::violated : ProofStatus::undecided;
+    if (outside) proof.parameter = t;
+  });
+  return proof;
+}
+
+/// A piece that is halved where its chord and its deviation leave the answer open.
+template <ClearanceSpace S, Divisible P>
+PieceProof prove(const S& space, const P& piece, double distance, double slack,
+                 std::size_t max_evaluations) {
+  const Box bounds = space.bounds();
+  const double magnitude = std::fmax(space.magnitude(), piece.box().magnitude());
+  PieceProof proof;
+  PartStack<P> stack(piece);
+  bool open = false;
+  while (!stack.empty()) {
+    const Part<P> part = stack.pop();
+    const double deviation = part.piece.deviation();
+    const double error = slack + piece_error(piece, part.depth, magnitude);
+    const double margin = deviation + error;
+    if (!std::isfinite(margin) || proof.evaluations == max_evaluations) return proof;
+    const Box hull = part.depth == 0 ? part.piece.box() : part.piece.box().inflated(error);
+    const Segment chord{part.piece.start(), part.piece.end()};
+    const Proximity found = space.nearest(chord, distance + margin);
+    ++proof.evaluations;
+    if (bounds.contains(hull) && found.distance >= distance + margin) continue;
+    if (found.distance < distance - margin) {
+      return {ProofStatus::violated, part.parameter(found.parameter), proof.evaluations};
+    }
+    if (!bounds.inflated(error).contains(part.piece.end())) {
+      return {ProofStatus::violated, part.to, proof.evaluations};
+    }
+    if (deviation <= error || part.depth == PartStack<P>::max_depth) {
+      open = true;  // too close to call here; another part may still be violated
+    } else {
+      stack.push_halves(part);
+    }
+  }
+  proof.status = open ? ProofStatus::undecided : ProofStatus::proved;
+  return proof;
 }
 
 }  // namespace detail
@@ -70,15 +162,15 @@ inline double part_error(int depth, double magnitude) {
 /// Decides whether every point of `piece` lies within the bounds and at `distance` or more from
 /// every obstacle.
 ///
-/// For any part of the piece with chord S and deviation dev from it, the clearance lies within dev
-/// of the distance between S and the obstacles; parts that this leaves open are halved, which
-/// divides dev by four. Straight pieces need one distance; where that is within rounding of the
-/// safety radius they are decided by the space's exact test. `violated` names a parameter whose
-/// point is closer or out of bounds. NaN and infinity are never proved. \pre distance >= 0
+/// Segments and arcs need one distance. For any part of a Bezier piece with chord S and deviation
+/// dev from it, the clearance lies within dev of the distance between S and the obstacles; parts
+/// that this leaves open are halved, which divides dev by four. A segment within rounding of the
+/// safety radius is decided by the space's exact test; a curved piece in that position is
+/// `undecided`. `violated` names a parameter whose point is closer or out of bounds. NaN and
+/// infinity are never proved. \pre distance >= 0
 template <ClearanceSpace S, class P>
 PieceProof prove_distance(const S& space, const P& piece, double distance,
                           std::size_t max_evaluations = 256) {
-  using Part = detail::Part<P>;
   if (!piece.is_finite()) return {};
   const Box bounds = space.bounds();
   for (const double t : {0.0, 1.0}) {
@@ -86,58 +178,16 @@ PieceProof prove_distance(const S& space, const P& piece, double distance,
       return {ProofStatus::violated, t, 0};
     }
   }
-  // A connected path that meets no edge is outside all polygons or inside one.
-  if (space.is_inside(piece.start())) return {ProofStatus::violated, 0, 0};
-
   const double magnitude = std::fmax(space.magnitude(), piece.box().magnitude());
-  const double slack = 16 * 0x1p-53 * magnitude;
-  PieceProof proof;
-  if constexpr (std::is_same_v<P, Segment>) {
-    proof.evaluations = 1;
-    const Proximity found = space.nearest(piece, distance + slack);
-    if (found.distance >= distance + slack) {
-      proof.status = ProofStatus::proved;
-    } else if (found.distance < distance - slack) {
-      proof = {ProofStatus::violated, found.parameter, 1};
-    } else if (distance == space.safety_radius()) {
-      const bool free = space.segment_free(piece.a, piece.b);
-      proof = {free ? ProofStatus::proved : ProofStatus::violated, found.parameter, 1};
-    }
-    return proof;
-  } else {
-    detail::PartStack<P> stack(piece);
-    bool open = false;
-    while (!stack.empty()) {
-      const Part part = stack.pop();
-      const double deviation = part.piece.deviation();
-      const double error = slack + detail::part_error(part.depth, magnitude);
-      const double margin = deviation + error;
-      if (!std::isfinite(margin) || proof.evaluations == max_evaluations) return proof;
-      const Box hull = part.depth == 0 ? part.piece.box() : part.piece.box().inflated(error);
-      const bool within = bounds.contains(hull);
-      ++proof.evaluations;
-      const Segment chord{part.piece.start(), part.piece.end()};
-      const Proximity found = space.nearest(chord, distance + margin);
-      if (within && found.distance >= distance + margin) continue;
-      if (found.distance < distance - margin) {
-        proof.status = ProofStatus::violated;
-        proof.parameter = part.parameter(found.parameter);
-        return proof;
-      }
-      if (!bounds.inflated(error).contains(part.piece.end())) {
-        proof.status = ProofStatus::violated;
-        proof.parameter = part.to;
-        return proof;
-      }
-      if (deviation <= error || part.depth == detail::PartStack<P>::max_depth) {
-        open = true;  // too close to call here; another part may still be violated
-      } else {
-        stack.push_halves(part);
-      }
-    }
-    proof.status = open ? ProofStatus::undecided : ProofStatus::proved;
-    return proof;
+  const double slack = rounding_slack(magnitude);
+  PieceProof proof = detail::prove(space, piece, distance, slack, max_evaluations);
+  // A connected path that keeps off all edges is outside all polygons or inside one. At distance 0
+  // a segment may touch edges; the exact test has then looked at the insides.
+  const bool may_touch = std::is_same_v<P, Segment> && distance == 0;
+  if (proof.status == ProofStatus::proved && !may_touch && space.is_inside(piece.start())) {
+    return {ProofStatus::violated, 0, proof.evaluations};
   }
+  return proof;
 }
 
 /// Whether the piece is proved to be in free space: at the space's safety radius, within the

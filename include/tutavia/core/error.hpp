@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
+#include <cstddef>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -70,6 +70,8 @@ struct Failure {
   std::string detail{};  ///< one line for people
   /// start_blocked and goal_blocked: the signed clearance there [m]
   std::optional<double> clearance{};
+  /// start_blocked and goal_blocked: index of the obstacle that is nearest there
+  std::optional<std::size_t> obstacle{};
   /// start_blocked and goal_blocked: the nearest point of free space, where one was found
   std::optional<Eigen::Vector2d> nearest_safe_point{};
   Statistics stats{};

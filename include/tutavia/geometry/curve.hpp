@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tutavia/core/assert.hpp"
+#include "tutavia/geometry/arc.hpp"
 #include "tutavia/geometry/bezier.hpp"
 #include "tutavia/geometry/segment.hpp"
 
@@ -21,8 +22,8 @@ namespace tutavia {
 
 /// One part of a curve. Every kind has start(), end(), point(t), derivative(t),
 /// second_derivative(t), start_direction(), end_direction(), length(), length_to(t), box(),
-/// deviation() and is_finite().
-using Piece = std::variant<Segment, QuadraticBezier, CubicBezier>;
+/// is_finite() and, where it is not straight or circular, deviation() and halves().
+using Piece = std::variant<Segment, QuadraticBezier, CubicBezier, Arc>;
 
 /// What a curve does at one place.
 struct CurvePoint {
@@ -142,7 +143,7 @@ class Curve {
     if (!(total > 0)) return 0;
     if (s >= total) return 1;
     double low = 0, high = 1, t = s / total;
-    if constexpr (!std::is_same_v<P, Segment>) {
+    if constexpr (!std::is_same_v<P, Segment> && !std::is_same_v<P, Arc>) {
       for (int i = 0; i < 60; ++i) {
         const double error = piece.length_to(t) - s;
         if (std::abs(error) <= 1e-13 * total) break;

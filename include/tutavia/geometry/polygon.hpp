@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/geometry/predicates.hpp"
 
@@ -70,6 +72,112 @@ inline bool contains(const Polygon& polygon, const Point& p) {
     if (winding_number(hole, p) % 2 != 0) return false;
   }
   return true;
+}
+
+/// Whether all points of a ring lie on one line; decided by exact predicates.
+inline bool is_flat(const Ring& ring) {
+  const auto other =
+      std::find_if(ring.begin(), ring.end(), [&](const Point& p) { return p != ring.front(); });
+  return std::all_of(ring.begin(), ring.end(), [&](const Point& p) {
+    return other == ring.end() || orientation(ring.front(), *other, p) == 0;
+  });
+}
+
+/// Whether the polygon's edges meet at the corners of their rings and nowhere else; decided by
+/// exact predicates. Rings without area are not simple. O(n log n) unless very many edges share
+/// abscissas.
+inline bool is_simple(const Polygon& polygon) {
+  struct Edge {
+    Point a, b;
+    std::size_t index;  // consecutive along a ring
+    std::size_t next;
+    double left() const { return std::min(a.x(), b.x()); }
+    double right() const { return std::max(a.x(), b.x()); }
+  };
+  std::vector<Edge> edges;
+  const auto add = [&](const Ring& ring) {
+    const std::size_t first = edges.size();
+    for_each_edge(ring, [&](const Point& a, const Point& b) {
+      edges.push_back({a, b, edges.size(), edges.size() + 1});
+    });
+    if (edges.size() > first) edges.back().next = first;
+    return edges.size() - first >= 3;
+  };
+  if (!add(polygon.outer)) return false;
+  for (const Ring& hole : polygon.holes) {
+    if (!add(hole)) return false;
+  }
+  // Whether c lies on the same side of b as a does, for collinear points.
+  const auto folds_back = [](const Point& a, const Point& b, const Point& c) {
+    const auto side = [](double from, double to) { return from < to ? 1 : from > to ? -1 : 0; };
+    return orientation(a, b, c) == 0 && (side(b.x(), a.x()) * side(b.x(), c.x()) > 0 ||
+                                         side(b.y(), a.y()) * side(b.y(), c.y()) > 0);
+  };
+  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
+    return x.left() != y.left() ? x.left() < y.left() : x.index < y.index;
+  });
+  std::vector<Edge> active;
+  for (const Edge& edge : edges) {
+    std::erase_if(active, [&](const Edge& old) { return old.right() < edge.left(); });
+    for (const Edge& old : active) {
+      const bool after = old.next == edge.index, before = edge.next == old.index;
+      if (after || before) {
+        const Edge &x = after ? old : edge, &y = after ? edge : old;
+        if (folds_back(x.a, x.b, y.b)) return false;
+      } else if (segments_intersect(old.a, old.b, edge.a, edge.b)) {
+        return false;
+      }
+    }
+    active.push_back(edge);
+  }
+  return true;
+}
+
+/// Whether the point midway between u and v, computed exactly, lies in the solid part of the
+/// polygon and on none of its edges.
+inline bool contains_midpoint(const Polygon& polygon, const Point& u, const Point& v) {
+  using Number = ExactNumber;
+  const Number x = Number(u.x()) + v.x(), y = Number(u.y()) + v.y();  // twice the point
+  bool on_edge = false;
+  const auto winding = [&](const Ring& ring) {
+    int result = 0;
+    for_each_edge(ring, [&](const Point& a, const Point& b) {
+      const Number ax = Number(2) * a.x() - x, ay = Number(2) * a.y() - y;
+      const Number bx = Number(2) * b.x() - x, by = Number(2) * b.y() - y;
+      const int side = (ax * by - ay * bx).sign();
+      if (side == 0 && ax.sign() * bx.sign() <= 0 && ay.sign() * by.sign() <= 0) on_edge = true;
+      const bool a_above = ay.sign() > 0, b_above = by.sign() > 0;
+      if (a_above != b_above && side == (b_above ? 1 : -1)) result += side;
+    });
+    return result;
+  };
+  bool inside = winding(polygon.outer) != 0;
+  for (const Ring& hole : polygon.holes) {
+    if (winding(hole) % 2 != 0) inside = false;
+  }
+  return inside && !on_edge;
+}
+
+/// Whether the open inside of a simple polygon meets the segment p-q; touching is not meeting.
+/// Decided by exact arithmetic.
+inline bool interior_meets(const Polygon& polygon, const Point& p, const Point& q) {
+  std::vector<Point> places{p, q};  // between two neighbours, the segment is in, out or on an edge
+  bool crosses = false;
+  const auto look = [&](const Point& a, const Point& b) {
+    const int pa = orientation(p, q, a), pb = orientation(p, q, b);
+    if (pa * pb < 0 && orientation(a, b, p) * orientation(a, b, q) < 0) crosses = true;
+    if (pa == 0 && Box::around({p, q}).contains(a)) places.push_back(a);
+  };
+  for_each_edge(polygon.outer, look);
+  for (const Ring& hole : polygon.holes) for_each_edge(hole, look);
+  if (crosses) return true;
+  std::sort(places.begin(), places.end(), [](const Point& a, const Point& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (contains_midpoint(polygon, places[i - 1], places[i])) return true;
+  }
+  return false;
 }
 
 }  // namespace tutavia

@@ -33,7 +33,6 @@ struct Segment {
   double length_to(double t) const { return t * length(); }
   Box box() const { return Box::around({a, b}); }
   bool is_finite() const { return tutavia::is_finite(a) && tutavia::is_finite(b); }
-  double deviation() const { return 0; }
   /// Parameter of the point nearest to `p`.
   double nearest_parameter(const Point& p) const {
     const Point d = b - a;

@@ -36,6 +36,13 @@ inline ResultJson to_json(const Curve& curve) {
         [](const auto& piece) -> ResultJson {
           if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Segment>) {
             return {{"type", "line"}, {"points", {to_json(piece.a), to_json(piece.b)}}};
+          } else if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Arc>) {
+            return {{"type", "arc"},
+                    {"points", {to_json(piece.a), to_json(piece.b)}},
+                    {"center", to_json(piece.center)},
+                    {"radius", piece.radius},
+                    {"start_angle", piece.start_angle},
+                    {"sweep", piece.sweep}};
           } else {
             ResultJson points = ResultJson::array();
             for (const Point& p : piece.points) points.push_back(to_json(p));
@@ -93,6 +100,7 @@ inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const F
   auto json = detail::result_head(header, to_string(failure.code));
   json["detail"] = failure.detail;
   if (failure.clearance) json["clearance"] = *failure.clearance;
+  if (failure.obstacle) json["obstacle"] = *failure.obstacle;
   if (failure.nearest_safe_point) {
     json["nearest_safe_point"] = detail::to_json(*failure.nearest_safe_point);
   }

@@ -165,6 +165,13 @@ class SvgPicture {
         d += "Q" + at(q->points[1]) + " " + at(q->points[2]);
       } else if (const auto* c = std::get_if<CubicBezier>(&any)) {
         d += "C" + at(c->points[1]) + " " + at(c->points[2]) + " " + at(c->points[3]);
+      } else if (const auto* arc = std::get_if<Arc>(&any)) {
+        // Two halves, because SVG cannot tell a full circle from none; y points down there.
+        const std::string radius = number(arc->radius * scale_);
+        for (const double t : {0.5, 1.0}) {
+          d += "A" + radius + " " + radius + " 0 0 " + (arc->sweep > 0 ? "0 " : "1 ");
+          d += at(arc->point(t));
+        }
       }
     }
     return d;

@@ -87,7 +87,9 @@ double max_curvature(const P& piece) {
   const auto include = [&](double t) {
     result = std::max(result, std::abs(curvature(piece, std::clamp(t, 0.0, 1.0))));
   };
-  if constexpr (std::is_same_v<P, QuadraticBezier>) {
+  if constexpr (std::is_same_v<P, Arc>) {
+    result = 1 / piece.radius;
+  } else if constexpr (std::is_same_v<P, QuadraticBezier>) {
     // A parabola bends most where its velocity is perpendicular to its acceleration.
     const Point acceleration = piece.second_derivative(0);
     const double square = acceleration.squaredNorm();
@@ -117,6 +119,9 @@ inline PathMetrics measure(const Curve& curve) {
           if (heading != Point::Zero()) turns.turn(deflection(heading, piece.start_direction()));
           if constexpr (std::is_same_v<P, Segment>) {
             turns.end_run();
+          } else if constexpr (std::is_same_v<P, Arc>) {
+            turns.turn(piece.sweep);
+            metrics.max_curvature = std::max(metrics.max_curvature, detail::max_curvature(piece));
           } else {
             Point before = piece.start_direction();
             for (const double t : detail::turning_intervals(piece)) {

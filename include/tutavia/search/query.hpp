@@ -46,8 +46,17 @@ std::optional<Failure> check_endpoint(const S& space, const Point& p, bool is_st
   failure.detail = where + " lies in an obstacle or its safety zone";
   if constexpr (ClearanceSpace<S>) {
     failure.clearance = space.clearance(p);
+    failure.obstacle =
+        space.nearest(Segment{p, p}, std::numeric_limits<double>::infinity()).obstacle;
     failure.detail += ": its clearance is " + std::to_string(*failure.clearance) + " m, " +
                       std::to_string(space.safety_radius()) + " m needed";
+  }
+  if constexpr (requires { space.nearest_free(p); }) {
+    failure.nearest_safe_point = space.nearest_free(p);
+    if (const auto& safe = failure.nearest_safe_point) {
+      failure.detail += "; the nearest safe point is (" + std::to_string(safe->x()) + ", " +
+                        std::to_string(safe->y()) + ")";
+    }
   }
   return failure;
 }

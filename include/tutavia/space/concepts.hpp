@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "tutavia/geometry/arc.hpp"
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/segment.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
@@ -38,15 +39,17 @@ concept FreeSpace = requires(const S& s, const Point& p) {
 /// Free space that knows distances.
 ///
 /// `clearance(p)` is the signed distance from p to the nearest obstacle, negative inside.
-/// `nearest(segment, cap)` is the distance from a segment to the nearest obstacle boundary, exact
-/// to `slack()` where it is below `cap`; else any value of at least `cap` with obstacle `none`.
-/// Solid discs count negative inside. `is_inside(p)` says whether a point off the boundaries lies
-/// inside a polygon. Free space is where the clearance is `safety_radius()` or more.
+/// `nearest(piece, cap)` is the distance from a segment or an arc to the nearest obstacle boundary,
+/// exact to `slack()` (and the arc's evaluation error) where it is below `cap`; else `cap` with
+/// obstacle `none`. Solid discs count negative inside. `is_inside(p)` says whether a point off the
+/// boundaries lies inside a polygon. Free space is where the clearance is `safety_radius()` or
+/// more.
 template <class S>
 concept ClearanceSpace = FreeSpace<S> &&
-    requires(const S& s, const Point& p, const Segment& segment, double cap) {
+    requires(const S& s, const Point& p, const Segment& segment, const Arc& arc, double cap) {
   { s.clearance(p) } -> std::same_as<double>;
   { s.nearest(segment, cap) } -> std::same_as<Proximity>;
+  { s.nearest(arc, cap) } -> std::same_as<Proximity>;
   { s.is_inside(p) } -> std::same_as<bool>;
   { s.safety_radius() } -> std::same_as<double>;
   { s.slack() } -> std::same_as<double>;

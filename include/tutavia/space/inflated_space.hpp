@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "tutavia/space/boost_rtree.hpp"
 #include "tutavia/space/concepts.hpp"
 #include "tutavia/space/corner.hpp"
+#include "tutavia/space/nearest_free.hpp"
 #include "tutavia/world/workspace.hpp"
 
 /// \file
@@ -26,7 +28,9 @@ namespace tutavia {
 /// corners. An R-tree over the edges' boxes (Boost.Geometry, bulk-loaded) makes every question
 /// logarithmic in the number of edges. Immutable: one object serves any number of threads.
 /// `segment_free` and `is_free` settle ties by exact arithmetic, so a point at a distance of
-/// exactly the safety radius is free.
+/// exactly the safety radius is free. At radius 0 paths may touch simple polygons and discs;
+/// obstacles without an inside, and polygons that cross themselves, block already where they are
+/// touched.
 class InflatedSpace {
  public:
   /// Fails with what `validate(workspace)` finds.
@@ -45,11 +49,23 @@ class InflatedSpace {
   /// are no obstacles.
   double clearance(const Point& p) const;
 
-  /// Distance from a segment to the nearest obstacle edge or disc; see ClearanceSpace.
-  Proximity nearest(const Segment& segment, double cap) const;
+  /// Distance from a segment or an arc to the nearest obstacle edge or disc; see ClearanceSpace.
+  template <class P>
+  Proximity nearest(const P& piece, double cap) const;
 
   /// Whether `p`, which lies on no edge, is inside a polygon.
   bool is_inside(const Point& p) const;
+
+  /// The point of free space nearest to `p`, where there is any; see nearest_free_point.
+  std::optional<Point> nearest_free(const Point& p) const { return nearest_free_point(*this, p); }
+
+  /// Calls `visit(core, radius)` for every obstacle edge (radius 0) and disc (a point with a
+  /// radius) whose box meets `box`.
+  template <class Visit>
+  void for_each_feature(const Box& box, Visit visit) const {
+    for_each_in(edges_, box,
+                [&](std::uint32_t i) { visit(features_[i].core, features_[i].radius); });
+  }
 
   /// Calls `visit(corner)` for every convex corner in `box` and every disc whose box meets it.
   template <class Visit>
@@ -70,6 +86,10 @@ class InflatedSpace {
     double exterior_angle;  // at core.a
   };
 
+  /// What blocks at safety radius 0: a simple polygon only by its inside, so that paths may slide
+  /// along it; anything else already by contact (discs: where they are overlapped).
+  enum class Touch : std::uint8_t { inside_only, blocks };
+
   explicit InflatedSpace(Workspace workspace);
 
   static TreeBox tree_box(const Box& box) {
@@ -86,6 +106,8 @@ class InflatedSpace {
 
   void add_ring(const Ring& ring, std::uint32_t obstacle, bool is_hole, std::uint32_t& edge);
   bool keeps_radius(const Segment& segment, const Feature& feature) const;
+  /// segment_free for safety radius 0.
+  bool segment_free_at_contact(const Point& p, const Point& q) const;
   double depth(std::uint32_t obstacle, const Point& p) const;
 
   Workspace workspace_;
@@ -93,6 +115,7 @@ class InflatedSpace {
   std::vector<Feature> features_;
   std::vector<std::size_t> first_feature_;  // per obstacle, and one past the last
   Box extent_;                              // of all features
+  std::vector<Touch> may_touch_;            // per obstacle; filled for safety radius 0
   Tree edges_;
   Tree areas_;  // boxes of the polygons
 };
@@ -125,6 +148,13 @@ inline InflatedSpace::InflatedSpace(Workspace workspace)
     extent_.include(box.min);
     extent_.include(box.max);
     edges.emplace_back(tree_box(box), i);
+  }
+  if (safety_radius() == 0) {
+    for (const Obstacle& obstacle : workspace_.obstacles) {
+      const Polygon* polygon = std::get_if<Polygon>(&obstacle);
+      const bool simple = polygon != nullptr && is_simple(*polygon);
+      may_touch_.push_back(simple ? Touch::inside_only : Touch::blocks);
+    }
   }
   edges_ = make_tree(edges);
   areas_ = make_tree(areas);
@@ -165,6 +195,7 @@ inline bool InflatedSpace::keeps_radius(const Segment& s, const Feature& feature
 
 inline bool InflatedSpace::segment_free(const Point& p, const Point& q) const {
   if (!bounds().contains(p) || !bounds().contains(q)) return false;
+  if (safety_radius() == 0) return segment_free_at_contact(p, q);
   const Segment segment{p, q};
   bool free = true;
   for_each_in(edges_, segment.box().inflated(safety_radius() + slack()),
@@ -172,8 +203,27 @@ inline bool InflatedSpace::segment_free(const Point& p, const Point& q) const {
   return free && !is_inside(p);
 }
 
-inline Proximity InflatedSpace::nearest(const Segment& segment, double cap) const {
-  const Box box = segment.box();
+inline bool InflatedSpace::segment_free_at_contact(const Point& p, const Point& q) const {
+  const Segment segment{p, q};
+  bool free = true;
+  for_each_in(edges_, segment.box(), [&](std::uint32_t i) {
+    const Feature& f = features_[i];
+    if (!free || may_touch_[f.obstacle] == Touch::inside_only) return;
+    free = f.radius > 0 ? compare_distance(f.core.a, p, q, f.radius, 0) >= 0
+                        : !segments_intersect(p, q, f.core.a, f.core.b);
+  });
+  for_each_in(areas_, segment.box(), [&](std::uint32_t i) {
+    const Polygon& polygon = std::get<Polygon>(workspace_.obstacles[i]);
+    if (!free) return;
+    free = may_touch_[i] == Touch::inside_only ? !interior_meets(polygon, p, q)
+                                               : !contains(polygon, p);
+  });
+  return free;
+}
+
+template <class P>
+Proximity InflatedSpace::nearest(const P& piece, double cap) const {
+  const Box box = piece.box();
   double reach = std::min(cap, safety_radius() + (bounds().width() + bounds().height()) / 64);
   while (true) {
     const Box window = box.inflated(reach);
@@ -183,7 +233,7 @@ inline Proximity InflatedSpace::nearest(const Segment& segment, double cap) cons
     std::uint32_t best_feature = Proximity::none;
     Approach best{reach, 0};
     for_each_in(edges_, window, [&](std::uint32_t i) {
-      Approach found = approach(segment, features_[i].core);
+      Approach found = approach(piece, features_[i].core);
       found.distance -= features_[i].radius;
       const bool tie = found.distance == best.distance && i < best_feature;
       if (found.distance < best.distance || tie) best_feature = i, best = found;
@@ -214,7 +264,7 @@ inline double InflatedSpace::depth(std::uint32_t obstacle, const Point& p) const
 }
 
 inline double InflatedSpace::clearance(const Point& p) const {
-  double result = nearest({p, p}, std::numeric_limits<double>::infinity()).distance;
+  double result = nearest(Segment{p, p}, std::numeric_limits<double>::infinity()).distance;
   for_each_in(areas_, {p, p}, [&](std::uint32_t i) {
     if (contains(std::get<Polygon>(workspace_.obstacles[i]), p)) {
       result = std::min(result, -depth(i, p));

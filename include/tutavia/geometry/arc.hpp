@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "tutavia/geometry/box.hpp"
+#include "tutavia/geometry/point.hpp"
+#include "tutavia/geometry/segment.hpp"
+
+/// \file
+/// Arc: a circular piece, and distances to it.
+
+namespace tutavia {
+
+/// The circular arc around `center` from angle `start_angle` through `sweep` (positive: left turn,
+/// at most a full circle), with its ends as exact points, so that it joins other pieces without a
+/// gap; parameter t in [0, 1]. The ends may be off the circle by rounding: `evaluation_error()`
+/// covers it.
+struct Arc {
+  Point a = Point::Zero();
+  Point b = Point::Zero();
+  Point center = Point::Zero();
+  double radius = 0;       ///< [m]
+  double start_angle = 0;  ///< direction from the centre to `a` [rad]
+  double sweep = 0;        ///< [rad], in [-2 pi, 2 pi]
+
+  /// The arc with its ends computed from the angles.
+  static Arc around(const Point& center, double radius, double start_angle, double sweep) {
+    Arc arc{center, center, center, radius, start_angle, sweep};
+    arc.a = arc.on_circle(0);
+    arc.b = arc.on_circle(1);
+    return arc;
+  }
+
+  const Point& start() const { return a; }
+  const Point& end() const { return b; }
+  Point point(double t) const { return t == 0 ? a : t == 1 ? b : on_circle(t); }
+  Point derivative(double t) const { return sweep * perpendicular(radius * direction(t)); }
+  Point second_derivative(double t) const { return -sweep * sweep * radius * direction(t); }
+  Point start_direction() const { return derivative(0); }
+  Point end_direction() const { return derivative(1); }
+  double length() const { return radius * std::abs(sweep); }
+  double length_to(double t) const { return t * length(); }
+
+  bool is_finite() const {
+    return tutavia::is_finite(a) && tutavia::is_finite(b) && tutavia::is_finite(center) &&
+           std::isfinite(radius) && std::isfinite(start_angle) &&
+           std::abs(sweep) <= 2 * std::numbers::pi;
+  }
+
+  /// The parameter at which the arc has the direction of `v` from its centre, where it reaches it;
+  /// else something outside [0, 1].
+  double parameter_towards(const Point& v) const {
+    if (sweep == 0) return std::numeric_limits<double>::infinity();
+    double turn = std::remainder(heading(v) - start_angle, 2 * std::numbers::pi);
+    if (sweep > 0 && turn < 0) turn += 2 * std::numbers::pi;
+    if (sweep < 0 && turn > 0) turn -= 2 * std::numbers::pi;
+    return turn / sweep;
+  }
+
+  /// Calls `visit(t)` for every place between the ends where x or y is extreme.
+  template <class Visit>
+  void for_each_extreme(Visit visit) const {
+    for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)}) {
+      const double t = parameter_towards(axis);
+      if (t > 0 && t < 1) visit(t);
+    }
+  }
+
+  /// The box of the ends and the extremes, right up to `evaluation_error()`.
+  Box box() const {
+    Box box = Box::around({a, b});
+    for_each_extreme([&](double t) { box.include(on_circle(t)); });
+    return box;
+  }
+
+  /// How far `point(t)` and the ends may be from the circle of these numbers [m]: the ends' own
+  /// gap, and rounding of angles, of sine and cosine and of the sum.
+  double evaluation_error() const {
+    const double gap = std::fmax((a - on_circle(0)).norm(), (b - on_circle(1)).norm());
+    const double angles = 4 + std::abs(start_angle) + std::abs(sweep);
+    return gap + 4 * 0x1p-53 * (max_magnitude(center) + radius * angles);
+  }
+
+ private:
+  Point direction(double t) const {
+    const double angle = start_angle + t * sweep;
+    return {std::cos(angle), std::sin(angle)};
+  }
+  Point on_circle(double t) const { return center + radius * direction(t); }
+};
+
+/// The shortest distance between an arc and a segment and a place on the arc where it is attained,
+/// in closed form: the ends of both, the foot of the perpendicular from the centre, and where line
+/// and circle meet.
+inline Approach approach(const Arc& arc, const Segment& segment) {
+  Approach best{distance(arc.a, segment), 0};
+  const auto consider = [&](double distance, double parameter) {
+    if (distance < best.distance) best = {distance, parameter};
+  };
+  consider(distance(arc.b, segment), 1);
+  const auto consider_towards = [&](const Point& v, double distance) {
+    const double t = arc.parameter_towards(v);
+    if (t >= 0 && t <= 1) consider(distance, t);
+  };
+  for (const Point& end : {segment.a, segment.b}) {
+    const Point v = end - arc.center;
+    consider_towards(v, std::abs(v.norm() - arc.radius));
+  }
+  const Point along = segment.b - segment.a;
+  const double length = along.norm();
+  if (!(length > 0)) return best;
+  const Point unit = along / length;
+  const double place = (arc.center - segment.a).dot(unit);  // of the foot, along the segment
+  const double offset = cross(segment.a - arc.center, unit);
+  const Point foot{offset * unit.y(), -offset * unit.x()};  // seen from the centre
+  const double height = std::abs(offset);
+  if (place >= 0 && place <= length) {
+    if (height > 0) {
+      consider_towards(foot, std::abs(height - arc.radius));
+    } else {
+      consider_towards(perpendicular(unit), arc.radius);
+      consider_towards(-perpendicular(unit), arc.radius);
+    }
+  }
+  if (height < arc.radius) {
+    const double half = std::sqrt((arc.radius - height) * (arc.radius + height));
+    for (const double side : {-half, half}) {
+      if (place + side >= 0 && place + side <= length) consider_towards(foot + side * unit, 0);
+    }
+  }
+  return best;
+}
+
+}  // namespace tutavia

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Paths and certificates before an exact judge. TUTAVIA_TEST_SCALE makes these a soak.
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "support/catch.hpp"
+#include "support/exact_checker.hpp"
+#include "support/random_worlds.hpp"
+#include "support/reference_distance.hpp"
+#include "support/scale.hpp"
+#include "tutavia/certify/certify.hpp"
+#include "tutavia/planner.hpp"
+#include "tutavia/registry.hpp"
+#include "tutavia/space/lattice_space.hpp"
+
+namespace {
+
+using namespace tutavia;
+using test::ExactVerdict;
+
+TEST_CASE("no path of a random world comes below the safety radius", "[soak]") {
+  const std::uint64_t seed = 100;
+  test::WorldGenerator worlds(seed);
+  const auto smoothers = all_smoothers<LatticeSpace>();
+  std::size_t worlds_with_plan = 0, paths = 0, touching = 0;
+  const std::size_t rounds = test::scaled(300);
+  for (std::size_t round = 0; round < rounds; ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const Workspace world = worlds.workspace();
+    const auto space =
+        LatticeSpace::build(world, {.resolution = world.bounds.width() / 32}).value();
+    const test::ExactChecker checker(world);
+    Query query{.start = worlds.point(world), .goal = worlds.point(world)};
+    // A third of the starts is where the answer is hardest: at the very edge of free space.
+    if (round % 3 == 0) query.start = space.nearest_free(query.start).value_or(query.start);
+    bool found = false;
+    for (const auto& smoother : smoothers) {
+      Planner planner(AStar{}, smoother);
+      const auto plan = planner.plan(space, query);
+      if (!plan) continue;
+      found = true;
+      ++paths;
+      REQUIRE(plan->certificate.status == ProofStatus::proved);
+      const ExactVerdict verdict = checker.check(plan->curve);
+      INFO("smoother " << smoother.name);
+      CHECK(verdict != ExactVerdict::blocked);
+      if (verdict == ExactVerdict::unknown) ++touching;
+    }
+    if (found) ++worlds_with_plan;
+  }
+  std::printf("%zu random worlds, %zu with a plan, %zu paths, %zu undecided by the exact checker\n",
+              rounds, worlds_with_plan, paths, touching);
+  CHECK(worlds_with_plan > rounds / 4);
+  CHECK(touching == 0);
+}
+
+/// The least distance between a piece and an obstacle, to about 1e-15 relative, by sampling and
+/// golden-section search.
+double least_distance(const Workspace& world, const Piece& piece) {
+  const auto at = [&](double t) {
+    const Point p = std::visit([&](const auto& any) -> Point { return any.point(t); }, piece);
+    return static_cast<double>(test::reference_clearance(world, p));
+  };
+  constexpr int samples = 200;
+  int best = 0;
+  for (int i = 0; i <= samples; ++i) {
+    if (at(double(i) / samples) < at(double(best) / samples)) best = i;
+  }
+  double low = std::max(0, best - 1) / double(samples);
+  double high = std::min(samples, best + 1) / double(samples);
+  for (int i = 0; i < 60; ++i) {
+    const double a = low + 0.382 * (high - low), b = low + 0.618 * (high - low);
+    (at(a) < at(b) ? high : low) = at(a) < at(b) ? b : a;
+  }
+  return std::min({at(0), at(1), at(0.5 * (low + high))});
+}
+
+TEST_CASE("no verdict on a piece next to the safety radius is wrong", "[soak]") {
+  const std::uint64_t seed = 200;
+  Random random(seed);
+  const std::size_t rounds = test::scaled(1000);
+  constexpr int decades = 12;
+  std::array<std::size_t, decades> pieces{}, evaluations{}, undecided{};
+  std::size_t wrong = 0, unknown = 0;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const double scale = round % 5 == 0 ? 1e3 : 10;
+    const auto point = [&] { return Point(random.uniform(0, scale), random.uniform(0, scale)); };
+    Workspace world{.bounds = {{-1e5, -1e5}, {1e5, 1e5}}};
+    switch (random.below(3)) {
+      case 0:
+        world.obstacles.emplace_back(Disc{point(), random.uniform(0, 0.1 * scale)});
+        break;
+      case 1:
+        world.obstacles.emplace_back(Polygon{{point(), point()}});
+        break;
+      default:
+        world.obstacles.emplace_back(Polygon{{point(), point(), point()}});
+    }
+    world.bounds = {{-scale, -scale}, {3 * scale, 3 * scale}};
+    Piece piece;
+    switch (round % 4) {
+      case 0:
+        piece = Segment{point(), point()};
+        break;
+      case 1:
+        piece = QuadraticBezier{{point(), point(), point()}};
+        break;
+      case 2:
+        piece = CubicBezier{{point(), point(), point(), point()}};
+        break;
+      default:
+        piece = Arc::around(point(), random.uniform(0, 0.5 * scale), random.uniform(-4, 4),
+                            random.uniform(-6, 6));
+    }
+    const double distance = least_distance(world, piece);
+    if (!(distance > 0.01 * scale)) continue;
+    const int decade = static_cast<int>(random.below(decades));
+    const double gap = std::pow(10.0, -1 - decade) * random.uniform(0.5, 1);
+    world.safety_radius = distance * (random.below(2) == 0 ? 1 - gap : 1 + gap);
+    const auto space = InflatedSpace::build(world).value();
+    const PieceProof proof = std::visit(
+        [&](const auto& p) { return prove_distance(space, p, world.safety_radius); }, piece);
+    const ExactVerdict verdict = test::ExactChecker(world).check(piece);
+    const auto i = static_cast<std::size_t>(decade);
+    ++pieces[i];
+    evaluations[i] += proof.evaluations;
+    if (proof.status == ProofStatus::undecided) ++undecided[i];
+    if (verdict == ExactVerdict::unknown) ++unknown;
+    const bool is_wrong =
+        (proof.status == ProofStatus::proved && verdict == ExactVerdict::blocked) ||
+        (proof.status == ProofStatus::violated && verdict == ExactVerdict::free);
+    if (is_wrong) ++wrong;
+    CHECK_FALSE(is_wrong);
+  }
+  std::printf("%zu pieces, %zu wrong verdicts, %zu unknown to the exact checker\n", rounds, wrong,
+              unknown);
+  std::printf("relative gap  pieces  evaluations each  undecided\n");
+  for (std::size_t i = 0; i < decades; ++i) {
+    std::printf("      1e-%02zu  %6zu  %16.1f  %9zu\n", i + 1, pieces[i],
+                pieces[i] == 0 ? 0.0 : double(evaluations[i]) / double(pieces[i]), undecided[i]);
+  }
+  CHECK(wrong == 0);
+  CHECK(unknown == 0);
+}
+
+TEST_CASE("at safety radius 0 paths may touch simple polygons, and never enter them") {
+  const std::uint64_t seed = 300;
+  test::WorldGenerator worlds(seed);
+  std::size_t free_segments = 0, blocked_segments = 0, stricter = 0;
+  for (std::size_t round = 0; round < test::scaled(400); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    Workspace world = worlds.workspace();
+    world.safety_radius = 0;
+    const auto space = InflatedSpace::build(world).value();
+    const test::ExactChecker checker(world);
+    for (int i = 0; i < 10; ++i) {
+      const Segment segment{worlds.point(world), worlds.point(world)};
+      const ExactVerdict verdict = checker.check(Piece(segment));
+      const bool free = space.segment_free(segment.a, segment.b);
+      if (free) CHECK(verdict == ExactVerdict::free);
+      if (!free && verdict == ExactVerdict::free) ++stricter;  // walls without area block as well
+      ++(free ? free_segments : blocked_segments);
+    }
+  }
+  CHECK(free_segments > 100);
+  CHECK(blocked_segments > 100);
+  CHECK(stricter < free_segments);
+
+  const auto square = InflatedSpace::build({.bounds = {{0, 0}, {10, 10}},
+                                            .obstacles = {Polygon{{{2, 2}, {4, 2}, {4, 4}, {2, 4}}},
+                                                          Polygon{{{6, 0}, {6, 5}}}}})
+                          .value();
+  CHECK(square.segment_free({0, 2}, {5, 2}));        // along an edge
+  CHECK(square.segment_free({2, 3}, {0, 3}));        // from an edge
+  CHECK(square.segment_free({1, 3}, {3, 5}));        // past the corner (2, 4)
+  CHECK_FALSE(square.segment_free({2, 3}, {4, 3}));  // through, from edge to edge
+  CHECK_FALSE(square.segment_free({2, 2}, {4, 4}));  // the diagonal
+  CHECK_FALSE(square.segment_free({1, 1}, {5, 5}));
+  CHECK(square.is_free({2, 2}));
+  CHECK_FALSE(square.is_free({3, 3}));
+  CHECK_FALSE(square.segment_free({5, 3}, {7, 3}));  // a wall without area
+  CHECK_FALSE(square.is_free({6, 3}));
+}
+
+}  // namespace
