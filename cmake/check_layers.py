@@ -21,7 +21,7 @@ LAYERS = {
 # The front of layer 8: input and output may name the plan that they write.
 WITHIN_LAYER = {("io", "planner.hpp")}
 # What must not need Boost: planning on cells takes none of it.
-BOOST_ALLOWED = {"space/boost_rtree.hpp"}
+BOOST_ALLOWED = {"space/boost_rtree.hpp", "io/wkt.hpp"}
 
 
 def unit(path):
@@ -55,7 +55,7 @@ def complaints(root):
     umbrella = (root / "include/tutavia/tutavia.hpp").read_text()
     for header in sorted((root / "include/tutavia").rglob("*.hpp")):
         name = header.relative_to(root / "include/tutavia").as_posix()
-        left_out = name in ("tutavia.hpp", "registry.hpp", "space/boost_rtree.hpp") \
+        left_out = name in ("tutavia.hpp", "registry.hpp", "space/boost_rtree.hpp", "io/wkt.hpp") \
             or name.endswith("_json.hpp")
         if not left_out and f'"tutavia/{name}"' not in umbrella:
             yield f"tutavia.hpp: does not include {name}"

@@ -8,14 +8,19 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tutavia/io/geo_json.hpp"
 #include "tutavia/io/plan_json.hpp"
+#include "tutavia/io/wkt.hpp"
 #include "tutavia/io/workspace_json.hpp"
 #include "tutavia/registry.hpp"
 #include "tutavia/tutavia.hpp"
@@ -30,11 +35,11 @@ struct UsageError {
 };
 
 struct Arguments {
-  std::string map, workspace, start, search = "astar", smoother = "delta", json, svg;
+  std::string map, workspace, start, bounds, search = "astar", smoother = "delta", json, svg;
   std::vector<std::string> goals;
   std::optional<double> radius, resolution, time_limit;
   std::uint64_t seed = 0;
-  bool compare = false, list = false;
+  bool compare = false, list = false, strict = false;
 };
 
 /// One query and its answer.
@@ -45,11 +50,14 @@ struct Result {
 
 void define_options(CLI::App& app, Arguments& args) {
   auto* map = app.add_option("--map", args.map, "Built-in map: array, complex or maze");
-  app.add_option("--workspace", args.workspace, "Workspace file (.json)")->excludes(map);
+  app.add_option("--workspace", args.workspace, "Workspace file (.json, .geojson or .wkt)")
+      ->excludes(map);
   app.add_option("--start", args.start, "Start, as X,Y in metres");
   app.add_option("--goal", args.goals, "Goal, as X,Y; may be repeated. Default: every goal given")
       ->allow_extra_args(false);
   app.add_option("--radius", args.radius, "Safety radius in metres");
+  app.add_option("--bounds", args.bounds, "Bounds as X0,Y0,X1,Y1 in metres");
+  app.add_flag("--strict", args.strict, "Refuse polygons that cross themselves");
   app.add_option("--resolution", args.resolution, "Lattice spacing in metres");
   app.add_option("--search", args.search, "Search, or a comma list of them")->capture_default_str();
   app.add_option("--smoother", args.smoother, "Smoother, or a comma list of them")
@@ -70,24 +78,53 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-Point parse_point(const std::string& option, const std::string& text) {
-  const std::size_t comma = text.find(',');
-  if (comma != std::string::npos) {
-    const auto x = parse_number(std::string_view(text).substr(0, comma));
-    const auto y = parse_number(std::string_view(text).substr(comma + 1));
-    if (x && y && std::isfinite(*x) && std::isfinite(*y)) return {*x, *y};
+/// The numbers of a comma list.
+std::vector<double> parse_numbers(const std::string& option, const std::string& text,
+                                  std::size_t count, const char* form) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = parse_number(std::string_view(text).substr(begin, end - begin));
+    if (!number || !std::isfinite(*number)) break;
+    numbers.push_back(*number);
+    begin = end + 1;
+    if (end == text.size() && numbers.size() == count) return numbers;
   }
-  throw UsageError{option + ": expected X,Y with finite numbers, got \"" + text + "\""};
+  throw UsageError{option + ": expected " + form + " with finite numbers, got \"" + text + "\""};
+}
+
+Point parse_point(const std::string& option, const std::string& text) {
+  const std::vector<double> numbers = parse_numbers(option, text, 2, "X,Y");
+  return {numbers[0], numbers[1]};
+}
+
+SceneFile value_or_usage_error(Expected<SceneFile, Failure> file) {
+  if (!file) throw UsageError{file.error().detail};
+  return std::move(*file);
+}
+
+SceneFile load_file(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".json") return value_or_usage_error(read_scene_json(path));
+  if (extension == ".geojson") return value_or_usage_error(read_geo_json(path));
+  if (extension == ".wkt") {
+    auto obstacles = read_file(path, parse_wkt);
+    if (!obstacles) throw UsageError{obstacles.error().detail};
+    SceneFile file;
+    file.scene.workspace.obstacles = std::move(*obstacles);
+    file.scene.workspace.safety_radius = std::numeric_limits<double>::quiet_NaN();
+    return file;
+  }
+  throw UsageError{path + ": unknown kind of file (.json, .geojson or .wkt)"};
 }
 
 Scene load_scene(const Arguments& args) {
   if (!args.workspace.empty()) {
-    auto file = read_scene_json(args.workspace);
-    if (!file) throw UsageError{file.error().detail};
-    for (const std::string& warning : file->warnings) {
+    SceneFile file = load_file(args.workspace);
+    for (const std::string& warning : file.warnings) {
       std::cerr << "tutavia-plan: " << args.workspace << ": " << warning << '\n';
     }
-    return std::move(file->scene);
+    return std::move(file.scene);
   }
   if (args.map.empty() || args.map == "maze") return maps::maze();
   if (args.map == "array") return maps::array();
@@ -95,23 +132,51 @@ Scene load_scene(const Arguments& args) {
   throw UsageError{"--map: unknown map \"" + args.map + "\" (array, complex or maze)"};
 }
 
+/// For files without bounds: a box around everything in the scene, a tenth larger and with room for
+/// the robot to pass outside.
+Box bounds_around(const Scene& scene) {
+  Box box = scene.workspace.extent();
+  box.include(scene.start);
+  for (const Point& goal : scene.goals) box.include(goal);
+  return box.inflated(
+      std::max(0.1 * std::max(box.width(), box.height()), 4 * scene.workspace.safety_radius));
+}
+
 /// The scene with everything that the command line overrides.
 Scene configured_scene(const Arguments& args) {
   Scene scene = load_scene(args);
+  Workspace& workspace = scene.workspace;
   if (!args.start.empty()) scene.start = parse_point("--start", args.start);
   if (!args.goals.empty()) scene.goals.clear();
   for (const std::string& goal : args.goals) scene.goals.push_back(parse_point("--goal", goal));
-  if (args.radius) scene.workspace.safety_radius = *args.radius;
+  if (!is_finite(scene.start)) throw UsageError{"no start: give --start X,Y"};
+  if (scene.goals.empty()) throw UsageError{"no goal: give --goal X,Y"};
+  if (args.radius) {
+    workspace.safety_radius = *args.radius;
+  } else if (std::isnan(workspace.safety_radius)) {
+    throw UsageError{"no safety radius: give --radius R"};
+  }
+  if (!args.bounds.empty()) {
+    const auto b = parse_numbers("--bounds", args.bounds, 4, "X0,Y0,X1,Y1");
+    workspace.bounds = {{b[0], b[1]}, {b[2], b[3]}};
+  } else if (!is_finite(workspace.bounds.min)) {
+    workspace.bounds = bounds_around(scene);
+  }
+  const Box& bounds = workspace.bounds;
   if (args.resolution) {
     scene.resolution = *args.resolution;
   } else if (scene.resolution == 0) {
-    const Box& bounds = scene.workspace.bounds;
     scene.resolution = std::max(bounds.width(), bounds.height()) / 200;
   }
-  if (!is_finite(scene.start)) throw UsageError{"no start: give --start X,Y"};
-  if (scene.goals.empty()) throw UsageError{"no goal: give --goal X,Y"};
   if (args.time_limit && !(*args.time_limit >= 0)) {
     throw UsageError{"--time-limit must not be negative"};
+  }
+  if (const auto valid = validate(workspace); !valid) throw UsageError{valid.error().detail};
+  if (args.strict) {
+    if (const auto& crossing = inspect(workspace).self_crossing; !crossing.empty()) {
+      throw UsageError{"obstacles[" + std::to_string(crossing.front()) +
+                       "] crosses itself (--strict)"};
+    }
   }
   return scene;
 }
@@ -291,6 +356,10 @@ int plan(const Arguments& args, bool draw_default) {
     std::printf("%s: safety radius %g m, lattice %g m, start %s\n",
                 scene.name.empty() ? args.workspace.c_str() : scene.name.c_str(),
                 scene.workspace.safety_radius, scene.resolution, to_text(scene.start).c_str());
+    if (const WorkspaceReport report = inspect(scene.workspace); !report.empty()) {
+      std::fflush(stdout);
+      std::cout << "workspace: " << report << std::endl;
+    }
   }
   std::vector<std::vector<Result>> groups;
   if (args.compare) {

@@ -35,7 +35,7 @@ TEST_CASE("no path of a random world comes below the safety radius", "[soak]") {
     const test::ExactChecker checker(world);
     Query query{.start = worlds.point(world), .goal = worlds.point(world)};
     // A third of the starts is where the answer is hardest: at the very edge of free space.
-    if (round % 3 == 0) query.start = space.nearest_free(query.start).value_or(query.start);
+    if (round % 3 == 0) query.start = nearest_free_point(space, query.start).value_or(query.start);
     bool found = false;
     for (const auto& smoother : smoothers) {
       Planner planner(AStar{}, smoother);

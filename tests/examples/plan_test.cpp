@@ -191,6 +191,73 @@ TEST_CASE("bad usage and bad input give exit code 2 and one line that says what 
   }
 }
 
+TEST_CASE("WKT and GeoJSON files are planned in, with what they lack given as options") {
+  const Folder folder;
+  folder.write("wall.wkt", "# a wall\nPOLYGON((4 0,5 0,5 4,4 4,4 4))\n");
+  folder.write("wall.geojson", R"({"type":"Polygon","coordinates":[[[4,0],[5,0],[5,4],[4,4]]],
+      "safety_radius":0.3,"start":[1,2],"goals":[[8,2]]})");
+  const Outcome wkt = folder.run("--workspace wall.wkt --start 1,2 --goal 8,2 --radius 0.3");
+  CHECK(wkt.code == 0);
+  CHECK(contains(wkt.out, "1 repeated points removed"));
+  CHECK(folder.run("--workspace wall.geojson --bounds 0,-1,9,5").code == 0);
+  CHECK(folder.run("--workspace wall.geojson --bounds 0,0,9,4").code == 1);
+  const Outcome no_radius = folder.run("--workspace wall.wkt --start 1,2 --goal 8,2");
+  CHECK(no_radius.code == 2);
+  CHECK(contains(no_radius.err, "no safety radius"));
+  CHECK(folder.run("--workspace wall.geojson --bounds 0,0,9").code == 2);
+  CHECK(contains(folder.run("--workspace wall.shp").err, "unknown kind of file"));
+}
+
+TEST_CASE("every row of the input contract can be reached from the command line") {
+  const Folder folder;
+  const auto world = [&](const std::string& obstacles, const std::string& more = "") {
+    folder.write("w.json",
+                 R"({"bounds":[0,0,10,10],"safety_radius":0.5,"start":[1,5],"goals":[[9,5]],
+        "resolution":0.1,"obstacles":[)" +
+                     obstacles + "]" + more + "}");
+    return folder.run("--workspace w.json");
+  };
+  // Read, corrected or kept, and planned around.
+  for (const char* obstacles : {
+           R"({"polygon":[[4,3],[4,3],[6,3],[6,7],[6,7],[4,7]]})",             // repeated points
+           R"({"polygon":[[4,3],[4,7],[6,7],[6,3]]})",                         // clockwise
+           R"({"polygon":[[4,3],[6,3],[6,7],[4,7],[4,3]]})",                   // closed
+           R"({"polygon":[[5,3],[5,7]]})",                                     // a wall
+           R"({"polygon":[[5,5]]})",                                           // a point
+           R"({"center":[5,5],"radius":0})",                                   // a point
+           R"({"polygon":[[4,3],[6,7],[6,3],[4,7]]})",                         // crosses itself
+           R"({"bbox":[4,3,5,7]},{"bbox":[5,3,6,7]},{"bbox":[4.2,4,4.8,6]})",  // touch, nest
+           R"({"polygon":[[4,1e-300],[6,3],[6,7]]})",                          // too tiny: refused
+       }) {
+    INFO(obstacles);
+    const Outcome outcome = world(obstacles);
+    if (contains(obstacles, "1e-300")) {
+      CHECK(outcome.code == 2);
+      CHECK(contains(outcome.err, "obstacles[0].polygon[0]"));
+    } else {
+      CHECK(outcome.code == 0);
+      CHECK(contains(outcome.out, "proved"));
+    }
+  }
+  CHECK(folder.run("--workspace w.json").code == 2);
+  world(R"({"polygon":[[4,3],[6,7],[6,3],[4,7]]})");
+  const Outcome strict = folder.run("--workspace w.json --strict");
+  CHECK(strict.code == 2);
+  CHECK(contains(strict.err, "obstacles[0] crosses itself"));
+
+  CHECK(contains(world(R"({"polygon":[[1e12,0],[1e12,1],[2e12,0]]})").err, "too large"));
+  CHECK(world(R"({"bbox":[1.5,4,2,6]})").code == 0);  // the start is at exactly the radius
+  const Outcome blocked = world(R"({"bbox":[1.25,4,2,6]})");
+  CHECK(blocked.code == 1);
+  CHECK(contains(blocked.out, "start_blocked"));
+  CHECK(contains(blocked.out, "nearest safe point is (0.75"));
+  world("");
+  const Outcome point = folder.run("--workspace w.json --goal 1,5");
+  CHECK(point.code == 0);
+  CHECK(contains(point.out, "0.0000"));
+  CHECK(folder.run("--workspace w.json --resolution 1e-6").code == 2);
+}
+
 TEST_CASE("unknown keys of a workspace file are warned of and change nothing") {
   const Folder folder;
   folder.write("scene.json", R"({"bounds":[0,0,4,4],"safety_radius":0.1,"obstacles":[],

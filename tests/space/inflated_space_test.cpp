@@ -102,15 +102,15 @@ TEST_CASE("nearest is capped, and names the obstacle and the edge") {
            .safety_radius = 1,
            .obstacles = {Disc{{90, 90}, 2}, Polygon{{{10, 10}, {20, 10}, {20, 20}, {10, 20}}}}})
           .value();
-  const Proximity found = space.nearest({{25, 12}, {25, 30}}, infinity);
+  const Proximity found = space.nearest(Segment{{25, 12}, {25, 30}}, infinity);
   CHECK(found.distance == 5);
   CHECK(found.obstacle == 1);
   CHECK(found.edge == 1);
   CHECK(Point(25, 12 + 18 * found.parameter).y() <= 20);
-  CHECK(space.nearest({{25, 12}, {25, 30}}, 4).obstacle == Proximity::none);
-  CHECK(space.nearest({{25, 12}, {25, 30}}, 4).distance == 4);
-  CHECK(space.nearest({{90, 85}, {90, 85}}, infinity).distance == 3);
-  CHECK(space.nearest({{90, 90}, {90, 90}}, infinity).distance == -2);
+  CHECK(space.nearest(Segment{{25, 12}, {25, 30}}, 4).obstacle == Proximity::none);
+  CHECK(space.nearest(Segment{{25, 12}, {25, 30}}, 4).distance == 4);
+  CHECK(space.nearest(Segment{{90, 85}, {90, 85}}, infinity).distance == 3);
+  CHECK(space.nearest(Segment{{90, 90}, {90, 90}}, infinity).distance == -2);
 }
 
 TEST_CASE("without obstacles everything within the bounds is free and infinitely clear") {

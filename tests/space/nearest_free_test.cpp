@@ -18,15 +18,15 @@ TEST_CASE("the way out of a zone is the shortest one") {
                                            .obstacles = {Polygon{{{2, 2}, {5, 2}, {5, 8}, {2, 8}}},
                                                          Disc{{8, 8}, 1}}})
                          .value();
-  CHECK(space.nearest_free({4.5, 5}).value().isApprox(Point(5.5, 5), 1e-12));
-  CHECK(space.nearest_free({5.1, 8.2})
+  CHECK(nearest_free_point(space, {4.5, 5}).value().isApprox(Point(5.5, 5), 1e-12));
+  CHECK(nearest_free_point(space, {5.1, 8.2})
             .value()
             .isApprox(Point(5, 8) + 0.5 * Point(0.1, 0.2).normalized(), 1e-12));
-  CHECK(space.nearest_free({8, 7.9}).value().isApprox(Point(8, 6.5), 1e-12));
-  CHECK(space.nearest_free({8, 8}).value().isApprox(Point(8, 6.5), 1));
-  CHECK(space.nearest_free({9, 1}).value() == Point(9, 1));
-  CHECK(space.nearest_free({12, 1}).value() == Point(10, 1));
-  CHECK_FALSE(space.nearest_free({std::numeric_limits<double>::quiet_NaN(), 1}));
+  CHECK(nearest_free_point(space, {8, 7.9}).value().isApprox(Point(8, 6.5), 1e-12));
+  CHECK(nearest_free_point(space, {8, 8}).value().isApprox(Point(8, 6.5), 1));
+  CHECK(nearest_free_point(space, {9, 1}).value() == Point(9, 1));
+  CHECK(nearest_free_point(space, {12, 1}).value() == Point(10, 1));
+  CHECK_FALSE(nearest_free_point(space, {std::numeric_limits<double>::quiet_NaN(), 1}));
 }
 
 TEST_CASE("between two zones the nearest free point is where their boundaries cross") {
@@ -34,7 +34,7 @@ TEST_CASE("between two zones the nearest free point is where their boundaries cr
                                            .safety_radius = 1,
                                            .obstacles = {Disc{{-1, 0}, 0.25}, Disc{{1, 0}, 0.25}}})
                          .value();
-  const Point out = space.nearest_free({0, 0.1}).value();
+  const Point out = nearest_free_point(space, {0, 0.1}).value();
   CHECK(out.isApprox(Point(0, 0.75), 1e-9));
   CHECK(space.is_free(out));
 }
@@ -44,7 +44,7 @@ TEST_CASE("where nothing is free there is no nearest free point") {
       InflatedSpace::build(
           {.bounds = {{0, 0}, {1, 1}}, .safety_radius = 3, .obstacles = {Disc{{0.5, 0.5}, 0}}})
           .value();
-  CHECK_FALSE(space.nearest_free({0.2, 0.2}));
+  CHECK_FALSE(nearest_free_point(space, {0.2, 0.2}));
 }
 
 TEST_CASE("no sampled free point is nearer than the one returned") {
@@ -58,7 +58,7 @@ TEST_CASE("no sampled free point is nearer than the one returned") {
     const Point p = worlds.point(world);
     if (space.is_free(p)) continue;
     ++blocked;
-    const auto out = space.nearest_free(p);
+    const auto out = nearest_free_point(space, p);
     double nearest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 4000; ++i) {
       const Point q = worlds.point(world);

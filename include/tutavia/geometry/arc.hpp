@@ -39,8 +39,14 @@ struct Arc {
   const Point& start() const { return a; }
   const Point& end() const { return b; }
   Point point(double t) const { return t == 0 ? a : t == 1 ? b : on_circle(t); }
-  Point derivative(double t) const { return sweep * perpendicular(radius * direction(t)); }
-  Point second_derivative(double t) const { return -sweep * sweep * radius * direction(t); }
+  Point derivative(double t) const {
+    const Point d = direction(t);
+    return {-sweep * radius * d.y(), sweep * radius * d.x()};
+  }
+  Point second_derivative(double t) const {
+    const Point d = direction(t);
+    return {-sweep * sweep * radius * d.x(), -sweep * sweep * radius * d.y()};
+  }
   Point start_direction() const { return derivative(0); }
   Point end_direction() const { return derivative(1); }
   double length() const { return radius * std::abs(sweep); }
@@ -81,7 +87,7 @@ struct Arc {
   /// How far `point(t)` and the ends may be from the circle of these numbers [m]: the ends' own
   /// gap, and rounding of angles, of sine and cosine and of the sum.
   double evaluation_error() const {
-    const double gap = std::fmax((a - on_circle(0)).norm(), (b - on_circle(1)).norm());
+    const double gap = std::fmax(distance(a, on_circle(0)), distance(b, on_circle(1)));
     const double angles = 4 + std::abs(start_angle) + std::abs(sweep);
     return gap + 4 * 0x1p-53 * (max_magnitude(center) + radius * angles);
   }
@@ -91,7 +97,10 @@ struct Arc {
     const double angle = start_angle + t * sweep;
     return {std::cos(angle), std::sin(angle)};
   }
-  Point on_circle(double t) const { return center + radius * direction(t); }
+  Point on_circle(double t) const {
+    const Point d = direction(t);
+    return {center.x() + radius * d.x(), center.y() + radius * d.y()};
+  }
 };
 
 /// The shortest distance between an arc and a segment and a place on the arc where it is attained,
@@ -111,26 +120,27 @@ inline Approach approach(const Arc& arc, const Segment& segment) {
     const Point v = end - arc.center;
     consider_towards(v, std::abs(v.norm() - arc.radius));
   }
-  const Point along = segment.b - segment.a;
+  const Point along = segment.b - segment.a, from_centre = segment.a - arc.center;
   const double length = along.norm();
   if (!(length > 0)) return best;
-  const Point unit = along / length;
-  const double place = (arc.center - segment.a).dot(unit);  // of the foot, along the segment
-  const double offset = cross(segment.a - arc.center, unit);
+  const Point unit{along.x() / length, along.y() / length};
+  const double place = -from_centre.dot(unit);  // of the foot, along the segment
+  const double offset = cross(from_centre, unit);
   const Point foot{offset * unit.y(), -offset * unit.x()};  // seen from the centre
   const double height = std::abs(offset);
   if (place >= 0 && place <= length) {
     if (height > 0) {
       consider_towards(foot, std::abs(height - arc.radius));
     } else {
-      consider_towards(perpendicular(unit), arc.radius);
-      consider_towards(-perpendicular(unit), arc.radius);
+      consider_towards({-unit.y(), unit.x()}, arc.radius);
+      consider_towards({unit.y(), -unit.x()}, arc.radius);
     }
   }
   if (height < arc.radius) {
     const double half = std::sqrt((arc.radius - height) * (arc.radius + height));
     for (const double side : {-half, half}) {
-      if (place + side >= 0 && place + side <= length) consider_towards(foot + side * unit, 0);
+      if (place + side < 0 || place + side > length) continue;
+      consider_towards({foot.x() + side * unit.x(), foot.y() + side * unit.y()}, 0);
     }
   }
   return best;

@@ -30,7 +30,7 @@ struct Bezier {
     if (t == 1) return end();
     auto p = points;
     for (std::size_t level = Degree; level > 0; --level) {
-      for (std::size_t i = 0; i < level; ++i) p[i] += t * (p[i + 1] - p[i]);
+      for (std::size_t i = 0; i < level; ++i) p[i] = lerp(p[i], p[i + 1], t);
     }
     return p[0];
   }
@@ -39,14 +39,15 @@ struct Bezier {
     std::array<Point, Degree> d;
     for (std::size_t i = 0; i < Degree; ++i) d[i] = points[i + 1] - points[i];
     for (std::size_t level = Degree - 1; level > 0; --level) {
-      for (std::size_t i = 0; i < level; ++i) d[i] += t * (d[i + 1] - d[i]);
+      for (std::size_t i = 0; i < level; ++i) d[i] = lerp(d[i], d[i + 1], t);
     }
-    return static_cast<double>(Degree) * d[0];
+    return {Degree * d[0].x(), Degree * d[0].y()};
   }
 
   Point second_derivative(double t) const {
     const Point first = second_difference(0), last = second_difference(Degree - 2);
-    return static_cast<double>(Degree * (Degree - 1)) * (first + t * (last - first));
+    const Point between = lerp(first, last, t);
+    return {Degree * (Degree - 1) * between.x(), Degree * (Degree - 1) * between.y()};
   }
 
   /// Direction in which the piece leaves its start, also where control points coincide; null only
@@ -99,7 +100,7 @@ struct Bezier {
     Bezier result = *this;
     for (std::size_t level = 1; level <= Degree; ++level) {
       for (std::size_t i = Degree; i >= level; --i) {
-        result.points[i] = (1 - t) * result.points[i - 1] + t * result.points[i];
+        result.points[i] = lerp(result.points[i - 1], result.points[i], t);
       }
     }
     return result;
@@ -112,7 +113,8 @@ struct Bezier {
     for (std::size_t level = Degree + 1; level-- > 0;) {
       left.points[Degree - level] = p[0];
       right.points[level] = p[level];
-      for (std::size_t i = 0; i < level; ++i) p[i] = 0.5 * (p[i] + p[i + 1]);
+      for (std::size_t i = 0; i < level; ++i)
+        p[i] = {0.5 * (p[i].x() + p[i + 1].x()), 0.5 * (p[i].y() + p[i + 1].y())};
     }
     return {left, right};
   }
@@ -120,7 +122,7 @@ struct Bezier {
  private:
   double polygon_length() const {
     double sum = 0;
-    for (std::size_t i = 0; i < Degree; ++i) sum += (points[i + 1] - points[i]).norm();
+    for (std::size_t i = 0; i < Degree; ++i) sum += distance(points[i], points[i + 1]);
     return sum;
   }
 
@@ -151,7 +153,8 @@ struct Bezier {
   }
 
   Point second_difference(std::size_t i) const {
-    return points[i] - 2 * points[i + 1] + points[i + 2];
+    const Point &p = points[i], &q = points[i + 1], &r = points[i + 2];
+    return {p.x() - 2 * q.x() + r.x(), p.y() - 2 * q.y() + r.y()};
   }
 };
 

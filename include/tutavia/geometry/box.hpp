@@ -15,8 +15,8 @@ namespace tutavia {
 /// The closed rectangle [min.x, max.x] x [min.y, max.y]. The default is empty: it contains nothing
 /// and grows with `include`.
 struct Box {
-  Point min = Point::Constant(std::numeric_limits<double>::infinity());
-  Point max = Point::Constant(-std::numeric_limits<double>::infinity());
+  Point min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Point max{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
   static Box around(std::initializer_list<Point> points) {
     Box box;
@@ -25,8 +25,8 @@ struct Box {
   }
 
   void include(const Point& p) {
-    min = min.cwiseMin(p);
-    max = max.cwiseMax(p);
+    min = {std::fmin(min.x(), p.x()), std::fmin(min.y(), p.y())};
+    max = {std::fmax(max.x(), p.x()), std::fmax(max.y(), p.y())};
   }
 
   bool contains(const Point& p) const {
@@ -36,7 +36,13 @@ struct Box {
 
   /// Grown by `margin` on every side (shrunk where it is negative).
   Box inflated(double margin) const {
-    return {min - Point::Constant(margin), max + Point::Constant(margin)};
+    return {{min.x() - margin, min.y() - margin}, {max.x() + margin, max.y() + margin}};
+  }
+
+  /// The point of the box nearest to `p`.
+  Point clamp(const Point& p) const {
+    return {std::fmin(std::fmax(p.x(), min.x()), max.x()),
+            std::fmin(std::fmax(p.y(), min.y()), max.y())};
   }
 
   double width() const { return max.x() - min.x(); }

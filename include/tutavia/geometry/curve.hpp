@@ -130,7 +130,7 @@ class Curve {
   template <class P>
   static CurvePoint state(const P& piece, double t) {
     Point direction = piece.derivative(t);
-    if (direction == Point::Zero()) {
+    if (is_null(direction)) {
       direction = t < 0.5 ? piece.start_direction() : piece.end_direction();
     }
     return {0, piece.point(t), tutavia::heading(direction), tutavia::curvature(piece, t)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,12 +18,60 @@
 
 namespace tutavia {
 
+namespace detail {
+
+/// Digits to the base 2^32, least significant first; allocates only beyond 32 of them, which
+/// coordinates of like magnitude do not need.
+class Limbs {
+ public:
+  Limbs() = default;
+  /// `count` zeros.
+  explicit Limbs(std::size_t count) { resize(count); }
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  std::uint32_t* data() { return size_ <= few ? few_.data() : many_.data(); }
+  const std::uint32_t* data() const { return size_ <= few ? few_.data() : many_.data(); }
+  std::uint32_t& operator[](std::size_t i) { return data()[i]; }
+  std::uint32_t operator[](std::size_t i) const { return data()[i]; }
+
+  /// New digits are zero.
+  void resize(std::size_t count) {
+    if (count > few) {
+      const std::size_t kept = std::min(size_, count);
+      std::vector<std::uint32_t> digits(count, 0);
+      std::copy_n(data(), kept, digits.begin());
+      many_ = std::move(digits);
+    } else if (size_ > few) {
+      std::copy_n(many_.data(), count, few_.data());
+    } else if (count > size_) {
+      std::fill(few_.data() + size_, few_.data() + count, 0u);
+    }
+    size_ = count;
+  }
+  /// Drops leading zeros.
+  void trim() {
+    std::size_t count = size_;
+    while (count > 0 && (*this)[count - 1] == 0) --count;
+    if (count != size_) resize(count);
+  }
+
+ private:
+  static constexpr std::size_t few = 32;
+
+  std::array<std::uint32_t, few> few_;
+  std::vector<std::uint32_t> many_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace detail
+
 /// A number m 2^e with integers m and e of any size; every finite double is one, and sums,
 /// differences and products of such numbers are computed exactly.
 ///
 /// It works on integers alone, so contraction to fused multiply-add, extended precision or the
 /// rounding mode of the user's build cannot touch it. It is meant for the rare case behind a
-/// floating-point filter: an operation takes some 100 ns and allocates.
+/// floating-point filter: an operation takes some 100 ns.
 class ExactNumber {
  public:
   /// \pre `value` is finite
@@ -33,8 +82,10 @@ class ExactNumber {
     const auto bits = static_cast<std::uint64_t>(std::ldexp(mantissa, 53));
     negative_ = value < 0;
     exponent_ = exponent - 53;
-    limbs_ = {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
-    trim();
+    limbs_.resize(2);
+    limbs_[0] = static_cast<std::uint32_t>(bits);
+    limbs_[1] = static_cast<std::uint32_t>(bits >> 32);
+    limbs_.trim();
   }
 
   /// -1, 0 or 1.
@@ -50,7 +101,7 @@ class ExactNumber {
     ExactNumber result;
     result.negative_ = a.negative_ != b.negative_;
     result.exponent_ = a.exponent_ + b.exponent_;
-    result.limbs_.assign(a.limbs_.size() + b.limbs_.size(), 0);
+    result.limbs_.resize(a.limbs_.size() + b.limbs_.size());
     for (std::size_t i = 0; i < a.limbs_.size(); ++i) {
       std::uint64_t carry = 0;
       for (std::size_t j = 0; j < b.limbs_.size(); ++j) {
@@ -60,7 +111,7 @@ class ExactNumber {
       }
       result.limbs_[i + b.limbs_.size()] = static_cast<std::uint32_t>(carry);
     }
-    result.trim();
+    result.limbs_.trim();
     return result;
   }
 
@@ -79,43 +130,43 @@ class ExactNumber {
       result.negative_ = larger_x ? a.negative_ : b.negative_;
       result.limbs_ = larger_x ? difference(std::move(x), y) : difference(std::move(y), x);
     }
-    result.trim();
+    result.limbs_.trim();
     return result;
   }
 
   friend ExactNumber operator-(const ExactNumber& a, const ExactNumber& b) { return a + (-b); }
 
  private:
-  using Limbs = std::vector<std::uint32_t>;  // least significant first, none for zero
+  using Limbs = detail::Limbs;
 
   ExactNumber() = default;
-
-  void trim() {
-    while (!limbs_.empty() && limbs_.back() == 0) limbs_.pop_back();
-  }
 
   /// The limbs of |n| as a multiple of 2^exponent, for an exponent not above its own.
   static Limbs shifted(const ExactNumber& n, int exponent) {
     const auto shift = static_cast<std::size_t>(n.exponent_ - exponent);
-    Limbs limbs(shift / 32, 0);
+    const std::size_t whole = shift / 32;
+    Limbs limbs(whole + n.limbs_.size() + 1);
     std::uint64_t carry = 0;
-    for (const std::uint32_t limb : n.limbs_) {
-      carry |= std::uint64_t{limb} << (shift % 32);
-      limbs.push_back(static_cast<std::uint32_t>(carry));
+    for (std::size_t i = 0; i < n.limbs_.size(); ++i) {
+      carry |= std::uint64_t{n.limbs_[i]} << (shift % 32);
+      limbs[whole + i] = static_cast<std::uint32_t>(carry);
       carry >>= 32;
     }
-    limbs.push_back(static_cast<std::uint32_t>(carry));
-    while (!limbs.empty() && limbs.back() == 0) limbs.pop_back();
+    limbs[whole + n.limbs_.size()] = static_cast<std::uint32_t>(carry);
+    limbs.trim();
     return limbs;
   }
 
   static bool less(const Limbs& x, const Limbs& y) {
     if (x.size() != y.size()) return x.size() < y.size();
-    return std::lexicographical_compare(x.rbegin(), x.rend(), y.rbegin(), y.rend());
+    for (std::size_t i = x.size(); i-- > 0;) {
+      if (x[i] != y[i]) return x[i] < y[i];
+    }
+    return false;
   }
 
   static Limbs sum(Limbs x, const Limbs& y) {
-    x.resize(std::max(x.size(), y.size()) + 1, 0);
+    x.resize(std::max(x.size(), y.size()) + 1);
     std::uint64_t carry = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
       carry += std::uint64_t{x[i]} + (i < y.size() ? y[i] : 0u);

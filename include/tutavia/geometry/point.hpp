@@ -18,6 +18,26 @@ using Point = Eigen::Vector2d;
 /// z component of the cross product a x b; positive when b lies to the left of a.
 inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+/// The point at fraction t on the way from a to b. Written out, like much in this layer: every kind
+/// of Eigen expression costs each file that includes the header some 30 ms of compilation.
+inline Point lerp(const Point& a, const Point& b, double t) {
+  return {a.x() + t * (b.x() - a.x()), a.y() + t * (b.y() - a.y())};
+}
+
+/// The point p + s v.
+inline Point advance(const Point& p, double s, const Point& v) {
+  return {p.x() + s * v.x(), p.y() + s * v.y()};
+}
+
+/// Whether both coordinates are 0.
+inline bool is_null(const Point& v) { return v.x() == 0 && v.y() == 0; }
+
+/// Distance between two points.
+inline double distance(const Point& a, const Point& b) {
+  const double dx = a.x() - b.x(), dy = a.y() - b.y();
+  return std::sqrt(dx * dx + dy * dy);
+}
+
 /// `v` turned by +90 degrees.
 inline Point perpendicular(const Point& v) { return {-v.y(), v.x()}; }
 

@@ -20,15 +20,13 @@ struct Segment {
   const Point& start() const { return a; }
   const Point& end() const { return b; }
   /// Exact at both ends.
-  Point point(double t) const {
-    return t < 0.5 ? Point(a + t * (b - a)) : Point(b - (1 - t) * (b - a));
-  }
+  Point point(double t) const { return t < 0.5 ? lerp(a, b, t) : lerp(b, a, 1 - t); }
   Point derivative(double) const { return b - a; }
   Point second_derivative(double) const { return Point::Zero(); }
   Point start_direction() const { return b - a; }
   Point end_direction() const { return b - a; }
 
-  double length() const { return (b - a).norm(); }
+  double length() const { return distance(a, b); }
   /// Arc length from the start to parameter t.
   double length_to(double t) const { return t * length(); }
   Box box() const { return Box::around({a, b}); }
@@ -37,19 +35,19 @@ struct Segment {
   double nearest_parameter(const Point& p) const {
     const Point d = b - a;
     const double square = d.squaredNorm();
-    return square > 0 ? std::clamp((p - a).dot(d) / square, 0.0, 1.0) : 0.0;
+    const Point v = p - a;
+    return square > 0 ? std::clamp(v.dot(d) / square, 0.0, 1.0) : 0.0;
   }
 };
 
 /// Distance between `p` and the nearest point of `s` [m]; the error is below 12 u M for coordinates
 /// up to M (u = 2^-53): 3 u from the cross product times the longest difference, 2 sqrt(2) M.
 inline double distance(const Point& p, const Segment& s) {
-  const Point d = s.b - s.a;
-  const double square = d.squaredNorm();
-  const double t = (p - s.a).dot(d);
-  if (!(t > 0)) return (p - s.a).norm();
-  if (t >= square) return (p - s.b).norm();
-  return std::abs(cross(d, p - s.a)) / std::sqrt(square);
+  const Point d = s.b - s.a, v = p - s.a;
+  const double square = d.squaredNorm(), t = v.dot(d);
+  if (!(t > 0)) return v.norm();
+  if (t >= square) return distance(p, s.b);
+  return std::abs(cross(d, v)) / std::sqrt(square);
 }
 
 /// Where two segments come closest.
@@ -62,12 +60,12 @@ struct Approach {
 /// meet (decided by exact predicates), else with the error of `distance`.
 inline Approach approach(const Segment& s, const Segment& other) {
   if (segments_intersect(s.a, s.b, other.a, other.b)) {
-    const Point e = other.b - other.a;
+    const Point d = s.b - s.a, e = other.b - other.a, gap_a = other.a - s.a;
     const double at_a = s.nearest_parameter(other.a), at_b = s.nearest_parameter(other.b);
-    const double denominator = cross(s.b - s.a, e);
+    const double denominator = cross(d, e);
     double place = at_a, least = distance(s.point(at_a), other);
     // Nearly collinear segments meet at an end of one of them rather than at a computed crossing.
-    for (const double t : {cross(other.a - s.a, e) / denominator, at_b, 0.0, 1.0}) {
+    for (const double t : {cross(gap_a, e) / denominator, at_b, 0.0, 1.0}) {
       if (!(t >= 0 && t <= 1)) continue;
       const double gap = distance(s.point(t), other);
       if (gap < least) place = t, least = gap;

@@ -115,8 +115,8 @@ inline PathMetrics measure(const Curve& curve) {
     std::visit(
         [&](const auto& piece) {
           using P = std::decay_t<decltype(piece)>;
-          if (piece.start_direction() == Point::Zero()) return;  // a single point
-          if (heading != Point::Zero()) turns.turn(deflection(heading, piece.start_direction()));
+          if (is_null(piece.start_direction())) return;  // a single point
+          if (!is_null(heading)) turns.turn(deflection(heading, piece.start_direction()));
           if constexpr (std::is_same_v<P, Segment>) {
             turns.end_run();
           } else if constexpr (std::is_same_v<P, Arc>) {
@@ -126,7 +126,7 @@ inline PathMetrics measure(const Curve& curve) {
             Point before = piece.start_direction();
             for (const double t : detail::turning_intervals(piece)) {
               const Point after = t < 1 ? piece.derivative(t) : piece.end_direction();
-              if (t == 0 || after == Point::Zero()) continue;
+              if (t == 0 || is_null(after)) continue;
               turns.turn(deflection(before, after));
               before = after;
             }

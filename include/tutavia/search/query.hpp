@@ -10,6 +10,7 @@
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/space/concepts.hpp"
+#include "tutavia/space/nearest_free.hpp"
 
 /// \file
 /// Query: what a searcher is asked.
@@ -18,8 +19,8 @@ namespace tutavia {
 
 /// From where to where, and at what expense. A goal that is left out is an `invalid_input`.
 struct Query {
-  Point start = Point::Constant(std::numeric_limits<double>::quiet_NaN());
-  Point goal = Point::Constant(std::numeric_limits<double>::quiet_NaN());
+  Point start{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  Point goal{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   Budget budget{};
   std::uint64_t seed = 0;  ///< for searchers that draw random numbers
 };
@@ -51,8 +52,8 @@ std::optional<Failure> check_endpoint(const S& space, const Point& p, bool is_st
     failure.detail += ": its clearance is " + std::to_string(*failure.clearance) + " m, " +
                       std::to_string(space.safety_radius()) + " m needed";
   }
-  if constexpr (requires { space.nearest_free(p); }) {
-    failure.nearest_safe_point = space.nearest_free(p);
+  if constexpr (FeatureSpace<S>) {
+    failure.nearest_safe_point = nearest_free_point(space, p);
     if (const auto& safe = failure.nearest_safe_point) {
       failure.detail += "; the nearest safe point is (" + std::to_string(safe->x()) + ", " +
                         std::to_string(safe->y()) + ")";

@@ -64,17 +64,19 @@ class GridBuilder {
     if (!(delta > 0) || !std::isfinite(delta)) {
       return fail(PlanError::invalid_option, "resolution must be positive and finite");
     }
-    const Point low = (bounds_.min / delta).array().ceil();
-    const Point high = (bounds_.max / delta).array().floor();
+    const Point low{std::ceil(bounds_.min.x() / delta), std::ceil(bounds_.min.y() / delta)};
+    const Point high{std::floor(bounds_.max.x() / delta), std::floor(bounds_.max.y() / delta)};
     constexpr double largest = 0x1p30;
     if (!(std::fmax(max_magnitude(low), max_magnitude(high)) < largest)) {
       return fail(PlanError::limit_exceeded,
                   "resolution " + std::to_string(delta) + " m needs more than 2^30 nodes per axis");
     }
-    Frame frame{low * delta, delta};
-    const Point size = (high - low).cwiseMax(-1) + Point::Ones();
-    auto grid = OccupancyGrid::blocked(static_cast<std::int64_t>(size.x()),
-                                       static_cast<std::int64_t>(size.y()), options.max_nodes);
+    const Frame frame{{low.x() * delta, low.y() * delta}, delta};
+    const auto count = [](double from, double to) {
+      return static_cast<std::int64_t>(std::fmax(to - from + 1, 0));
+    };
+    auto grid = OccupancyGrid::blocked(count(low.x(), high.x()), count(low.y(), high.y()),
+                                       options.max_nodes);
     if (!grid) return Unexpected{grid.error()};
     SampledGrid result{std::move(*grid), frame};
     const Sampler sampler{
@@ -94,8 +96,8 @@ class GridBuilder {
     void fill(Cell low, Cell high) const {
       if (low.x > high.x || low.y > high.y) return;
       const Point a = out.frame.point(low), b = out.frame.point(high);
-      const double clearance = builder.clearance_(0.5 * (a + b));
-      const double reach = 0.5 * (b - a).norm();
+      const double clearance = builder.clearance_(lerp(a, b, 0.5));
+      const double reach = 0.5 * distance(a, b);
       if (clearance + reach < threshold) return;
       if (low == high || clearance - reach >= threshold) return set_free(low, high);
       if (high.x - low.x >= high.y - low.y) {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,7 +13,6 @@
 #include "tutavia/space/boost_rtree.hpp"
 #include "tutavia/space/concepts.hpp"
 #include "tutavia/space/corner.hpp"
-#include "tutavia/space/nearest_free.hpp"
 #include "tutavia/world/workspace.hpp"
 
 /// \file
@@ -56,9 +54,6 @@ class InflatedSpace {
   /// Whether `p`, which lies on no edge, is inside a polygon.
   bool is_inside(const Point& p) const;
 
-  /// The point of free space nearest to `p`, where there is any; see nearest_free_point.
-  std::optional<Point> nearest_free(const Point& p) const { return nearest_free_point(*this, p); }
-
   /// Calls `visit(core, radius)` for every obstacle edge (radius 0) and disc (a point with a
   /// radius) whose box meets `box`.
   template <class Visit>
@@ -95,14 +90,50 @@ class InflatedSpace {
   static TreeBox tree_box(const Box& box) {
     return {{box.min.x(), box.min.y()}, {box.max.x(), box.max.y()}};
   }
+  /// Calls `visit(index)` for every entry that meets the box. The tree's query is instantiated
+  /// once, for a plain function, because every further one costs the user's compiler a tenth of a
+  /// second.
   template <class Visit>
   static void for_each_in(const Tree& tree, const Box& box, Visit visit) {
+    query(tree, box, &visit,
+          [](void* context, std::uint32_t index) { (*static_cast<Visit*>(context))(index); });
+  }
+  static void query(const Tree& tree, const Box& box, void* context,
+                    void (*visit)(void*, std::uint32_t)) {
     tree.query(boost::geometry::index::intersects(tree_box(box)),
-               boost::make_function_output_iterator([&](const Entry& e) { visit(e.second); }));
+               boost::make_function_output_iterator(
+                   [context, visit](const Entry& entry) { visit(context, entry.second); }));
   }
   static Tree make_tree(const std::vector<Entry>& entries) {
     return {entries.begin(), entries.end()};
   }
+
+  /// Tells cheaply that a feature lies farther than some distance to one side of a segment's line:
+  /// most of the features in a slanted segment's box do.
+  class SideTest {
+   public:
+    explicit SideTest(const Segment& s) {
+      const double length = s.length();
+      if (!(length > 0)) return;
+      normal_ = {(s.a.y() - s.b.y()) / length, (s.b.x() - s.a.x()) / length};
+      offset_ = normal_.x() * s.a.x() + normal_.y() * s.a.y();
+    }
+    explicit SideTest(const Arc&) {}
+
+    bool operator()(const Feature& feature, double distance) const {
+      const double a = side(feature.core.a), b = side(feature.core.b);
+      const double limit = distance + feature.radius;
+      return (a > limit && b > limit) || (a < -limit && b < -limit);
+    }
+
+   private:
+    double side(const Point& p) const {
+      return normal_.x() * p.x() + normal_.y() * p.y() - offset_;
+    }
+
+    Point normal_{0, 0};  // null: nothing is ever to one side
+    double offset_ = 0;
+  };
 
   void add_ring(const Ring& ring, std::uint32_t obstacle, bool is_hole, std::uint32_t& edge);
   bool keeps_radius(const Segment& segment, const Feature& feature) const;
@@ -197,9 +228,14 @@ inline bool InflatedSpace::segment_free(const Point& p, const Point& q) const {
   if (!bounds().contains(p) || !bounds().contains(q)) return false;
   if (safety_radius() == 0) return segment_free_at_contact(p, q);
   const Segment segment{p, q};
+  const double reach = safety_radius() + slack();
+  const double distance = nearest(segment, reach).distance;
+  if (distance < safety_radius() - slack()) return false;
   bool free = true;
-  for_each_in(edges_, segment.box().inflated(safety_radius() + slack()),
-              [&](std::uint32_t i) { free = free && keeps_radius(segment, features_[i]); });
+  if (distance < reach) {  // a tie: to be settled exactly
+    for_each_in(edges_, segment.box().inflated(reach),
+                [&](std::uint32_t i) { free = free && keeps_radius(segment, features_[i]); });
+  }
   return free && !is_inside(p);
 }
 
@@ -224,6 +260,7 @@ inline bool InflatedSpace::segment_free_at_contact(const Point& p, const Point& 
 template <class P>
 Proximity InflatedSpace::nearest(const P& piece, double cap) const {
   const Box box = piece.box();
+  const SideTest beside(piece);
   double reach = std::min(cap, safety_radius() + (bounds().width() + bounds().height()) / 64);
   while (true) {
     const Box window = box.inflated(reach);
@@ -233,6 +270,7 @@ Proximity InflatedSpace::nearest(const P& piece, double cap) const {
     std::uint32_t best_feature = Proximity::none;
     Approach best{reach, 0};
     for_each_in(edges_, window, [&](std::uint32_t i) {
+      if (beside(features_[i], best.distance)) return;
       Approach found = approach(piece, features_[i].core);
       found.distance -= features_[i].radius;
       const bool tie = found.distance == best.distance && i < best_feature;

@@ -52,7 +52,7 @@ class LatticeSpace : public InflatedSpace {
     const double delta = frame().resolution;
     const Cell centre = frame().nearest_cell(p);
     const auto usable = [&](Cell cell) { return grid().contains(cell) && grid().is_free(cell); };
-    if (usable(centre) && (frame().point(centre) - p).norm() <= 1e-9 * delta) {
+    if (usable(centre) && distance(frame().point(centre), p) <= 1e-9 * delta) {
       result.push_back({centre, 0});
       return result;
     }
@@ -61,7 +61,7 @@ class LatticeSpace : public InflatedSpace {
         const Cell cell = centre + Cell{x, y};
         if (!usable(cell)) continue;
         const Point node = frame().point(cell);
-        const double length = (node - p).norm();
+        const double length = distance(node, p);
         if (length <= std::numbers::sqrt2 * delta * (1 + 1e-9) && segment_free(p, node)) {
           result.push_back({cell, length});
         }

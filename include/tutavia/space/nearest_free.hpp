@@ -11,11 +11,19 @@
 
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/segment.hpp"
+#include "tutavia/space/concepts.hpp"
 
 /// \file
 /// nearest_free_point: the way out of a safety zone.
 
 namespace tutavia {
+
+/// A space that knows its obstacles' edges: `for_each_feature(box, visit)` calls `visit(core,
+/// radius)` for every edge (radius 0) and disc (a point with a radius) whose box meets the box.
+template <class S>
+concept FeatureSpace = ClearanceSpace<S> && requires(const S& s, const Box& box) {
+  s.for_each_feature(box, [](const Segment&, double) {});
+};
 
 namespace detail {
 
@@ -34,9 +42,9 @@ void for_each_projection(const Boundary& boundary, const Point& p, Visit visit) 
     return visit(s->point(s->nearest_parameter(p)));
   const Circle& circle = std::get<Circle>(boundary);
   const Point v = p - circle.center;
-  if (v.norm() > 0) return visit(circle.center + circle.radius / v.norm() * v);
+  if (v.norm() > 0) return visit(advance(circle.center, circle.radius / v.norm(), v));
   for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)}) {
-    visit(circle.center + circle.radius * axis);
+    visit(advance(circle.center, circle.radius, axis));
   }
 }
 
@@ -48,7 +56,7 @@ void for_each_crossing(const Boundary& first, const Boundary& second, Visit visi
   if (s != nullptr && t != nullptr) {
     const Point d = s->b - s->a, e = t->b - t->a;
     const double determinant = cross(d, e);
-    if (determinant != 0) visit(s->a + cross(t->a - s->a, e) / determinant * d);
+    if (determinant != 0) visit(advance(s->a, cross(Point(t->a - s->a), e) / determinant, d));
     return;
   }
   if (s == nullptr && t != nullptr) return for_each_crossing(second, first, visit);
@@ -59,22 +67,23 @@ void for_each_crossing(const Boundary& first, const Boundary& second, Visit visi
     direction = s->b - s->a;
     const double square = direction.squaredNorm();
     if (!(square > 0)) return;
-    foot = s->a + (circle.center - s->a).dot(direction) / square * direction;
+    const Point v = circle.center - s->a;
+    foot = advance(s->a, v.dot(direction) / square, direction);
   } else {
     const Circle& other = std::get<Circle>(first);
     const Point between = other.center - circle.center;
     const double square = between.squaredNorm();
     if (!(square > 0)) return;
     const double along = (square + circle.radius * circle.radius - other.radius * other.radius) / 2;
-    foot = circle.center + along / square * between;
+    foot = advance(circle.center, along / square, between);
     direction = perpendicular(between);
   }
-  const double height = (foot - circle.center).squaredNorm();
-  const double half = circle.radius * circle.radius - height;
+  const double height = distance(foot, circle.center);
+  const double half = circle.radius * circle.radius - height * height;
   if (!(half >= 0)) return;
-  const Point reach = std::sqrt(half) / direction.norm() * direction;
-  visit(foot + reach);
-  visit(foot - reach);
+  const double reach = std::sqrt(half) / direction.norm();
+  visit(advance(foot, reach, direction));
+  visit(advance(foot, -reach, direction));
 }
 
 }  // namespace detail
@@ -86,11 +95,11 @@ void for_each_crossing(const Boundary& first, const Boundary& second, Visit visi
 /// of them within a growing reach are tried, nearest first, and what is returned was tested to be
 /// free. The boundaries are kept 32 u M outside the zones, and crossings are tried a little further
 /// out as well, so that rounding does not hide them.
-template <class S>
+template <FeatureSpace S>
 std::optional<Point> nearest_free_point(const S& space, const Point& p) {
   const Box bounds = space.bounds();
-  const Point origin = p.cwiseMax(bounds.min).cwiseMin(bounds.max);
-  if (!is_finite(origin)) return std::nullopt;
+  const Point origin = bounds.clamp(p);
+  if (!is_finite(p)) return std::nullopt;
   if (space.is_free(origin)) return origin;
   const double margin = 2 * space.slack(), r = space.safety_radius();
   const double farthest = std::hypot(bounds.width(), bounds.height());
@@ -108,19 +117,22 @@ std::optional<Point> nearest_free_point(const S& space, const Point& p) {
           boundaries.emplace_back(detail::Circle{core.a, offset});
           if (core.a == core.b) return;
           boundaries.emplace_back(detail::Circle{core.b, offset});
-          const Point aside = offset * perpendicular(core.b - core.a).normalized();
-          boundaries.emplace_back(Segment{core.a + aside, core.b + aside});
-          boundaries.emplace_back(Segment{core.a - aside, core.b - aside});
+          const Point aside = perpendicular(core.b - core.a);
+          const double scale = offset / aside.norm();
+          for (const double side : {scale, -scale}) {
+            boundaries.emplace_back(
+                Segment{advance(core.a, side, aside), advance(core.b, side, aside)});
+          }
         });
     std::vector<Point> candidates;
     const auto add = [&](const Point& q) {
-      const Point inside = q.cwiseMax(bounds.min).cwiseMin(bounds.max);
-      if ((inside - origin).norm() <= reach) candidates.push_back(inside);
+      const Point inside = bounds.clamp(q);
+      if (distance(inside, origin) <= reach) candidates.push_back(inside);
     };
     const auto add_crossing = [&](const Point& q) {
       add(q);
       for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)}) {
-        add(q + 4 * margin * axis);
+        add(advance(q, 4 * margin, axis));
       }
     };
     for (std::size_t i = 0; i < boundaries.size(); ++i) {
@@ -130,7 +142,7 @@ std::optional<Point> nearest_free_point(const S& space, const Point& p) {
       }
     }
     std::stable_sort(candidates.begin(), candidates.end(), [&](const Point& a, const Point& b) {
-      return (a - origin).squaredNorm() < (b - origin).squaredNorm();
+      return distance(a, origin) < distance(b, origin);
     });
     for (const Point& candidate : candidates) {
       if (space.is_free(candidate)) return candidate;

@@ -24,8 +24,8 @@ struct Frame {
   /// The cell whose reference point is nearest to `p`.
   /// \pre `p` lies within 2^30 cells of the origin
   Cell nearest_cell(const Point& p) const {
-    const Point q = (p - origin) / resolution;
-    return {static_cast<int>(std::lround(q.x())), static_cast<int>(std::lround(q.y()))};
+    return {static_cast<int>(std::lround((p.x() - origin.x()) / resolution)),
+            static_cast<int>(std::lround((p.y() - origin.y()) / resolution))};
   }
 };
 

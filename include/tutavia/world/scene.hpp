@@ -16,7 +16,8 @@ namespace tutavia {
 struct Scene {
   std::string name{};
   Workspace workspace{};
-  Point start = Point::Constant(std::numeric_limits<double>::quiet_NaN());  ///< NaN: not given
+  Point start{std::numeric_limits<double>::quiet_NaN(),
+              std::numeric_limits<double>::quiet_NaN()};  ///< NaN: not given
   std::vector<Point> goals{};
   double resolution = 0;  ///< lattice spacing [m]; 0: not given
 };

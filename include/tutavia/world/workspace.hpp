@@ -36,6 +36,9 @@ struct Workspace {
   double safety_radius = 0;  ///< [m]: robot radius plus whatever else it should keep
   std::vector<Obstacle> obstacles{};
 
+  /// The box around all obstacles; empty without any.
+  Box extent() const;
+
   /// The largest magnitude among all coordinates [m]; rounding errors are proportional to it.
   double magnitude() const;
 };
@@ -86,22 +89,27 @@ inline std::string complaint(const Obstacle& obstacle, const std::string& name) 
 /// spare [m]: 16 u M. Constructions keep twice this much more than they need.
 inline double rounding_slack(double magnitude) { return 16 * 0x1p-53 * magnitude; }
 
-inline double Workspace::magnitude() const {
-  double result = bounds.magnitude();
-  const auto include = [&](const Point& p) { result = std::fmax(result, max_magnitude(p)); };
+inline Box Workspace::extent() const {
+  Box box;
   for (const Obstacle& obstacle : obstacles) {
     if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
-      include(disc->center + Point::Constant(disc->radius));
-      include(disc->center - Point::Constant(disc->radius));
+      const Box around = Box::around({disc->center}).inflated(disc->radius);
+      box.include(around.min);
+      box.include(around.max);
       continue;
     }
     const Polygon& polygon = std::get<Polygon>(obstacle);
-    for (const Point& p : polygon.outer) include(p);
+    for (const Point& p : polygon.outer) box.include(p);
     for (const Ring& hole : polygon.holes) {
-      for (const Point& p : hole) include(p);
+      for (const Point& p : hole) box.include(p);
     }
   }
-  return result;
+  return box;
+}
+
+inline double Workspace::magnitude() const {
+  return obstacles.empty() ? bounds.magnitude()
+                           : std::fmax(bounds.magnitude(), extent().magnitude());
 }
 
 /// Checks that a workspace can be planned in: `invalid_input` with the object and its index for a

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tutavia/core/error.hpp"
+#include "tutavia/io/fields_json.hpp"
+#include "tutavia/world/scene.hpp"
+
+/// \file
+/// Workspaces in GeoJSON.
+
+namespace tutavia {
+
+namespace detail {
+
+/// Collects the obstacles of a GeoJSON object (RFC 7946).
+class GeoJsonReader {
+ public:
+  using Json = nlohmann::json;
+
+  static SceneFile read(const Json& json) {
+    namespace fields = json_fields;
+    SceneFile file;
+    Scene& scene = file.scene;
+    GeoJsonReader reader(scene.workspace);
+    scene.workspace.safety_radius = std::numeric_limits<double>::quiet_NaN();
+    reader.object(json, "the file", 0, 0);
+    if (json.contains("bbox")) scene.workspace.bounds = fields::box(json["bbox"], "bbox");
+    if (json.contains("safety_radius")) {
+      scene.workspace.safety_radius = fields::number(json["safety_radius"], "safety_radius");
+    }
+    fields::read_task(json, scene);
+    return file;
+  }
+
+ private:
+  explicit GeoJsonReader(Workspace& workspace) : out_(workspace) {}
+
+  /// `radius` is that of the points of the feature which the object belongs to.
+  void object(const Json& json, const std::string& name, double radius, int depth) {
+    namespace fields = json_fields;
+    constexpr int deepest = 16;
+    fields::require(json.is_object(), name, "an object");
+    fields::require(depth < deepest, name, "collections nested less than 16 deep");
+    const std::string type = fields::string(fields::field(json, "type"), name + ".type");
+    if (type == "FeatureCollection") {
+      fields::each(fields::field(json, "features"), name + ".features",
+                   [&](const Json& item, const std::string& item_name) {
+                     object(item, item_name, 0, depth + 1);
+                   });
+    } else if (type == "GeometryCollection") {
+      fields::each(fields::field(json, "geometries"), name + ".geometries",
+                   [&](const Json& item, const std::string& item_name) {
+                     object(item, item_name, radius, depth + 1);
+                   });
+    } else if (type == "Feature") {
+      double own_radius = 0;
+      if (json.contains("properties") && json["properties"].is_object() &&
+          json["properties"].contains("radius")) {
+        own_radius = fields::number(json["properties"]["radius"], name + ".properties.radius");
+      }
+      const Json& geometry = fields::field(json, "geometry");
+      if (!geometry.is_null()) object(geometry, name + ".geometry", own_radius, depth + 1);
+    } else {
+      coordinates(fields::field(json, "coordinates"), type, name + ".coordinates", radius);
+    }
+  }
+
+  void coordinates(const Json& json, const std::string& type, const std::string& name,
+                   double radius) {
+    namespace fields = json_fields;
+    constexpr std::string_view multi = "Multi";
+    if (type == "Point") {
+      out_.obstacles.emplace_back(Disc{fields::point(json, name, true), radius});
+    } else if (type == "LineString") {
+      // There and back: a ring without area.
+      Ring ring = fields::ring(json, name, true);
+      for (std::size_t i = ring.size(); i-- > 1;) ring.push_back(Point(ring[i - 1]));
+      out_.obstacles.emplace_back(Polygon{std::move(ring)});
+    } else if (type == "Polygon") {
+      Polygon polygon;
+      fields::each(json, name, [&](const Json& item, const std::string& item_name) {
+        Ring ring = fields::ring(item, item_name, true);
+        (item_name == name + "[0]") ? polygon.outer = std::move(ring)
+                                    : polygon.holes.emplace_back(std::move(ring));
+      });
+      out_.obstacles.emplace_back(std::move(polygon));
+    } else if (type == "MultiPoint" || type == "MultiLineString" || type == "MultiPolygon") {
+      fields::each(json, name, [&](const Json& item, const std::string& item_name) {
+        coordinates(item, type.substr(multi.size()), item_name, radius);
+      });
+    } else {
+      throw name + ": unknown geometry type \"" + type + "\"";
+    }
+  }
+
+  Workspace& out_;
+};
+
+}  // namespace detail
+
+/// Parses obstacles from GeoJSON (RFC 7946), coordinates in metres of a plane: polygons with holes,
+/// lines (walls without thickness) and points, which a feature's property `radius` makes discs.
+/// Members beside the standard's are read from the top level: `safety_radius`, `name`, `start`,
+/// `goals`, `resolution`; `bbox` gives the bounds. Where they are missing the bounds are empty and
+/// the radius is NaN, which no space accepts: set them before use. `invalid_input` as for
+/// `parse_scene_json`; obstacles are not validated before a space is built.
+inline Expected<SceneFile, Failure> parse_geo_json(std::string_view text) {
+  return json_fields::parse_json(text, detail::GeoJsonReader::read);
+}
+
+/// Reads a file with `parse_geo_json`; details begin with the file's name.
+inline Expected<SceneFile, Failure> read_geo_json(const std::filesystem::path& path) {
+  return read_file(path, parse_geo_json);
+}
+
+}  // namespace tutavia

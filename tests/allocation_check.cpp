@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Counts allocations: a program of its own, because it replaces operator new.
+
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+#include "tutavia/certify/certify.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/search/dijkstra.hpp"
+#include "tutavia/space/lattice_space.hpp"
+#include "tutavia/world/maps.hpp"
+
+namespace {
+
+std::size_t allocations = 0;
+
+void* allocate(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  void* memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return allocate(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace {
+
+using namespace tutavia;
+
+int failures = 0;
+
+void expect(const char* what, std::size_t counted, std::size_t allowed) {
+  std::printf("%-40s %zu allocations, %zu allowed\n", what, counted, allowed);
+  if (counted > allowed) ++failures;
+}
+
+template <class A>
+void check_search(const char* what, const LatticeSpace& space, const Scene& scene) {
+  typename A::Scratch scratch;
+  NoObserver nobody;
+  const Query query{.start = scene.start, .goal = scene.goals[0]};
+  std::size_t cold = allocations;
+  (void)A{}.search(space, query, scratch, nobody);
+  cold = allocations - cold;
+  std::size_t warm = allocations;
+  const auto route = A{}.search(space, query, scratch, nobody);
+  warm = allocations - warm;
+  if (!route || cold <= warm) ++failures;
+  expect(what, warm, 2);  // the route's pieces and their lengths
+
+  const std::size_t before = allocations;
+  const Certificate certificate = certify(space, route->curve);
+  if (certificate.status != ProofStatus::proved) ++failures;
+  expect("certificate", allocations - before, 0);
+}
+
+}  // namespace
+
+int main() {
+  for (const Scene& scene : {maps::array(), maps::complex(), maps::maze()}) {
+    const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
+    check_search<AStar>("A*, second query", space, scene);
+    check_search<Dijkstra>("Dijkstra, second query", space, scene);
+  }
+  return failures == 0 ? 0 : 1;
+}
