@@ -68,8 +68,8 @@ TEST_CASE("no verdict is wrong on random pieces in random worlds") {
     const Point p = worlds.point(world);
     const double size = world.bounds.width() / 8;
     const auto near = [&](const Point& q) {
-      return Point(q.x() + worlds.random().uniform(-size, size),
-                   q.y() + worlds.random().uniform(-size, size));
+      return Point{q.x() + worlds.random().uniform(-size, size),
+                   q.y() + worlds.random().uniform(-size, size)};
     };
     const Point q = near(p), s = near(q);
     const Piece piece = round % 3 == 0   ? Piece(Segment{p, q})
@@ -126,6 +126,21 @@ TEST_CASE("a curve swallowed by an obstacle is violated, though it meets no edge
   CHECK(certify(space, Curve::polyline(line)).status == ProofStatus::violated);
   const QuadraticBezier arc{{Point(45, 30), Point(50, 40), Point(55, 30)}};
   CHECK(certify(space, curve_of(arc)).status == ProofStatus::violated);
+}
+
+TEST_CASE("at safety radius 0 nothing inside an obstacle is proved, far from its edges or not") {
+  const auto space = InflatedSpace::build({.bounds = {{0, 0}, {100, 100}},
+                                           .safety_radius = 0,
+                                           .obstacles = {Polygon{{{0, 0}, {100, 0}, {50, 100}}}}})
+                         .value();
+  for (const Piece& piece : {Piece(Segment{{45, 30}, {55, 30}}), Piece(Segment{{45, 30}, {45, 30}}),
+                             Piece(Segment{{50, 0}, {50, 30}}),
+                             Piece(QuadraticBezier{{Point(45, 30), Point(50, 40), Point(55, 30)}}),
+                             Piece(Arc::around({50, 30}, 5, 0, 3))}) {
+    CHECK(certify(space, curve_of(piece)).status != ProofStatus::proved);
+  }
+  CHECK(certify(space, curve_of(Segment{{45, 30}, {55, 30}})).status == ProofStatus::violated);
+  CHECK(certify(space, curve_of(Segment{{0, 0}, {100, 0}})).status == ProofStatus::proved);
 }
 
 TEST_CASE("a segment at exactly the safety radius is proved, one ulp closer is violated") {

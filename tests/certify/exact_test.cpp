@@ -88,7 +88,7 @@ TEST_CASE("no verdict on a piece next to the safety radius is wrong", "[soak]") 
   for (std::size_t round = 0; round < rounds; ++round) {
     INFO("seed " << seed << ", round " << round);
     const double scale = round % 5 == 0 ? 1e3 : 10;
-    const auto point = [&] { return Point(random.uniform(0, scale), random.uniform(0, scale)); };
+    const auto point = [&] { return Point{random.uniform(0, scale), random.uniform(0, scale)}; };
     Workspace world{.bounds = {{-1e5, -1e5}, {1e5, 1e5}}};
     switch (random.below(3)) {
       case 0:

@@ -48,7 +48,7 @@ TEST_CASE("the box of an arc is as small as its points allow") {
 TEST_CASE("an arc approaches a segment as closely as samples of both do") {
   const std::uint64_t seed = 2;
   Random random(seed);
-  const auto point = [&] { return Point(random.uniform(-4, 4), random.uniform(-4, 4)); };
+  const auto point = [&] { return Point{random.uniform(-4, 4), random.uniform(-4, 4)}; };
   for (std::size_t round = 0; round < test::scaled(400); ++round) {
     INFO("seed " << seed << ", round " << round);
     const Arc arc = Arc::around(point(), random.uniform(0, 3), random.uniform(-9, 9),

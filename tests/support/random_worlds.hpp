@@ -68,7 +68,7 @@ class WorldGenerator {
         Ring points;
         for (int i = 0; i < 5; ++i) {
           points.push_back(centre +
-                           Point(random_.uniform(-size, size), random_.uniform(-size, size)));
+                           Point{random_.uniform(-size, size), random_.uniform(-size, size)});
         }
         return Polygon{finish(std::move(points))};
       }

@@ -46,26 +46,32 @@ class ClearanceInterval {
       while (!stack.empty()) {
         const Part<P> part = stack.pop();
         const Segment chord{part.piece.start(), part.piece.end()};
-        const double lower = narrow(piece, index, part, chord, part.piece.deviation());
+        const auto [lower, nearest] = narrow(piece, index, part, chord, part.piece.deviation());
         ++evaluations;
         if (lower >= out_.upper - options_.epsilon || part.depth == PartStack<P>::max_depth ||
             evaluations >= options_.max_evaluations_per_piece) {
           out_.lower = std::min(out_.lower, lower);
         } else {
-          stack.push_halves(part);
+          stack.push_halves(part, nearest);
         }
       }
     } else {
-      out_.lower = std::min(out_.lower, narrow(piece, index, Part<P>{piece, 0, 1, 0}, piece, 0));
+      out_.lower =
+          std::min(out_.lower, narrow(piece, index, Part<P>{piece, 0, 1, 0}, piece, 0).lower);
     }
   }
 
  private:
+  struct Narrowed {
+    double lower;    // bound of the part's clearance
+    double nearest;  // where on the part, by its own parameter
+  };
+
   /// Takes the distance of one part, by a stand-in for it that deviates from it by `deviation` at
-  /// most: lowers the upper bound where it can and returns the part's lower bound.
+  /// most: lowers the upper bound where it can.
   template <class P, class StandIn>
-  double narrow(const P& piece, std::size_t index, const Part<P>& part, const StandIn& stand_in,
-                double deviation) {
+  Narrowed narrow(const P& piece, std::size_t index, const Part<P>& part, const StandIn& stand_in,
+                  double deviation) {
     const double margin =
         deviation + rounding_slack(magnitude_) + piece_error(piece, part.depth, magnitude_);
     const Proximity found = space_.nearest(stand_in, out_.upper + margin);
@@ -78,7 +84,7 @@ class ClearanceInterval {
       out_.obstacle = found.obstacle;
       out_.edge = found.edge;
     }
-    return found.distance - margin;
+    return {found.distance - margin, found.parameter};
   }
 
   const S& space_;

@@ -47,12 +47,15 @@ class PartStack {
 
   bool empty() const { return size_ == 0; }
   Part<P> pop() { return parts_[--size_]; }
-  /// Puts both halves on the stack, the first on top.
-  void push_halves(const Part<P>& part) {
+  /// Puts both halves on the stack; the one looked at next is that which holds `nearest`, a
+  /// parameter of the part.
+  void push_halves(const Part<P>& part, double nearest) {
     const auto [left, right] = part.piece.halves();
     const double middle = part.parameter(0.5);
-    parts_[size_++] = {right, middle, part.to, part.depth + 1};
-    parts_[size_++] = {left, part.from, middle, part.depth + 1};
+    const Part<P> first{left, part.from, middle, part.depth + 1};
+    const Part<P> second{right, middle, part.to, part.depth + 1};
+    parts_[size_++] = nearest < 0.5 ? second : first;
+    parts_[size_++] = nearest < 0.5 ? first : second;
   }
 
  private:
@@ -84,7 +87,7 @@ PieceProof prove(const S& space, const Segment& segment, double distance, double
   const Proximity found = space.nearest(segment, distance + slack);
   PieceProof proof{ProofStatus::undecided, found.parameter, 1};
   if (found.distance >= distance + slack) {
-    proof.status = ProofStatus::proved;
+    proof.status = space.is_inside(segment.a) ? ProofStatus::violated : ProofStatus::proved;
   } else if (found.distance < distance - slack) {
     proof.status = ProofStatus::violated;
   } else if (distance == space.safety_radius()) {
@@ -150,7 +153,7 @@ PieceProof prove(const S& space, const P& piece, double distance, double slack,
     if (deviation <= error || part.depth == PartStack<P>::max_depth) {
       open = true;  // too close to call here; another part may still be violated
     } else {
-      stack.push_halves(part);
+      stack.push_halves(part, found.parameter);
     }
   }
   proof.status = open ? ProofStatus::undecided : ProofStatus::proved;
@@ -181,11 +184,12 @@ PieceProof prove_distance(const S& space, const P& piece, double distance,
   const double magnitude = std::fmax(space.magnitude(), piece.box().magnitude());
   const double slack = rounding_slack(magnitude);
   PieceProof proof = detail::prove(space, piece, distance, slack, max_evaluations);
-  // A connected path that keeps off all edges is outside all polygons or inside one. At distance 0
-  // a segment may touch edges; the exact test has then looked at the insides.
-  const bool may_touch = std::is_same_v<P, Segment> && distance == 0;
-  if (proof.status == ProofStatus::proved && !may_touch && space.is_inside(piece.start())) {
-    return {ProofStatus::violated, 0, proof.evaluations};
+  // A connected path that keeps off all edges is outside all polygons or inside one. (The exact
+  // test of a segment, which may touch edges at radius 0, has looked at the insides itself.)
+  if constexpr (!std::is_same_v<P, Segment>) {
+    if (proof.status == ProofStatus::proved && space.is_inside(piece.start())) {
+      return {ProofStatus::violated, 0, proof.evaluations};
+    }
   }
   return proof;
 }
