@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// tutavia-plan: plans on the built-in maps or on a workspace file, from the command line.
+/// tutavia-plan: plans on the built-in maps, on a workspace file or on the cells of a grid map,
+/// from the command line.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -20,6 +21,7 @@
 
 #include "tutavia/io/geo_json.hpp"
 #include "tutavia/io/plan_json.hpp"
+#include "tutavia/io/read_file.hpp"
 #include "tutavia/io/wkt.hpp"
 #include "tutavia/io/workspace_json.hpp"
 #include "tutavia/registry.hpp"
@@ -35,7 +37,8 @@ struct UsageError {
 };
 
 struct Arguments {
-  std::string map, workspace, start, bounds, search = "astar", smoother = "delta", json, svg;
+  std::string map, workspace, grid, unknown = "blocked", start, bounds, search = "astar",
+                                    smoother = "delta", json, svg;
   std::vector<std::string> goals;
   std::optional<double> radius, resolution, time_limit;
   std::uint64_t seed = 0;
@@ -52,6 +55,12 @@ void define_options(CLI::App& app, Arguments& args) {
   auto* map = app.add_option("--map", args.map, "Built-in map: array, complex or maze");
   app.add_option("--workspace", args.workspace, "Workspace file (.json, .geojson or .wkt)")
       ->excludes(map);
+  app.add_option("--grid", args.grid, "Grid map: MovingAI (.map) or ROS map_server (.yaml)")
+      ->excludes(map)
+      ->excludes("--workspace");
+  app.add_option("--unknown", args.unknown, "Unknown cells of a ROS map: blocked or free")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"blocked", "free"}));
   app.add_option("--start", args.start, "Start, as X,Y in metres");
   app.add_option("--goal", args.goals, "Goal, as X,Y; may be repeated. Default: every goal given")
       ->allow_extra_args(false);
@@ -98,9 +107,10 @@ Point parse_point(const std::string& option, const std::string& text) {
   return {numbers[0], numbers[1]};
 }
 
-SceneFile value_or_usage_error(Expected<SceneFile, Failure> file) {
-  if (!file) throw UsageError{file.error().detail};
-  return std::move(*file);
+template <class T>
+T value_or_usage_error(Expected<T, Failure> result) {
+  if (!result) throw UsageError{result.error().detail};
+  return std::move(*result);
 }
 
 SceneFile load_file(const std::string& path) {
@@ -108,10 +118,8 @@ SceneFile load_file(const std::string& path) {
   if (extension == ".json") return value_or_usage_error(read_scene_json(path));
   if (extension == ".geojson") return value_or_usage_error(read_geo_json(path));
   if (extension == ".wkt") {
-    auto obstacles = read_file(path, parse_wkt);
-    if (!obstacles) throw UsageError{obstacles.error().detail};
     SceneFile file;
-    file.scene.workspace.obstacles = std::move(*obstacles);
+    file.scene.workspace.obstacles = value_or_usage_error(read_file(path, parse_wkt));
     file.scene.workspace.safety_radius = std::numeric_limits<double>::quiet_NaN();
     return file;
   }
@@ -142,15 +150,23 @@ Box bounds_around(const Scene& scene) {
       std::max(0.1 * std::max(box.width(), box.height()), 4 * scene.workspace.safety_radius));
 }
 
-/// The scene with everything that the command line overrides.
-Scene configured_scene(const Arguments& args) {
-  Scene scene = load_scene(args);
-  Workspace& workspace = scene.workspace;
+/// Start and goals as the command line has them.
+void override_task(const Arguments& args, Scene& scene) {
   if (!args.start.empty()) scene.start = parse_point("--start", args.start);
   if (!args.goals.empty()) scene.goals.clear();
   for (const std::string& goal : args.goals) scene.goals.push_back(parse_point("--goal", goal));
   if (!is_finite(scene.start)) throw UsageError{"no start: give --start X,Y"};
   if (scene.goals.empty()) throw UsageError{"no goal: give --goal X,Y"};
+  if (args.time_limit && !(*args.time_limit >= 0)) {
+    throw UsageError{"--time-limit must not be negative"};
+  }
+}
+
+/// The scene with everything that the command line overrides.
+Scene configured_scene(const Arguments& args) {
+  Scene scene = load_scene(args);
+  Workspace& workspace = scene.workspace;
+  override_task(args, scene);
   if (args.radius) {
     workspace.safety_radius = *args.radius;
   } else if (std::isnan(workspace.safety_radius)) {
@@ -168,9 +184,6 @@ Scene configured_scene(const Arguments& args) {
   } else if (scene.resolution == 0) {
     scene.resolution = std::max(bounds.width(), bounds.height()) / 200;
   }
-  if (args.time_limit && !(*args.time_limit >= 0)) {
-    throw UsageError{"--time-limit must not be negative"};
-  }
   if (const auto valid = validate(workspace); !valid) throw UsageError{valid.error().detail};
   if (args.strict) {
     if (const auto& crossing = inspect(workspace).self_crossing; !crossing.empty()) {
@@ -179,6 +192,68 @@ Scene configured_scene(const Arguments& args) {
     }
   }
   return scene;
+}
+
+/// A grid map, ready to plan on.
+CellSpace load_grid(const Arguments& args) {
+  if (args.resolution || !args.bounds.empty()) {
+    throw UsageError{"--grid brings its own resolution and bounds"};
+  }
+  CellOptions options{.safety_radius = args.radius.value_or(0)};
+  const std::string extension = std::filesystem::path(args.grid).extension().string();
+  if (extension == ".map") {
+    return value_or_usage_error(
+        CellSpace::build(value_or_usage_error(read_moving_ai_map(args.grid)), options));
+  }
+  if (extension != ".yaml" && extension != ".yml") {
+    throw UsageError{args.grid + ": unknown kind of file (.map or .yaml)"};
+  }
+  const RosMap map = value_or_usage_error(read_ros_map(args.grid));
+  for (const std::string& warning : map.warnings) {
+    std::cerr << "tutavia-plan: " << args.grid << ": " << warning << '\n';
+  }
+  if (map.yaw != 0) {
+    throw UsageError{args.grid +
+                     ": a map turned by its origin's yaw is not read here (turn the "
+                     "points with to_grid_frame of the library)"};
+  }
+  options.resolution = map.resolution;
+  options.origin = map.origin;
+  const auto unknown = args.unknown == "free" ? UnknownCells::free : UnknownCells::blocked;
+  return value_or_usage_error(
+      CellSpace::build(value_or_usage_error(to_grid(map, unknown)), options));
+}
+
+/// The blocked cells as rectangles (runs of equal extent in neighbouring rows joined), to be drawn.
+std::vector<Obstacle> blocked_rectangles(const CellSpace& space) {
+  struct Run {
+    int first, last, from_row;
+  };
+  std::vector<Obstacle> rectangles;
+  std::vector<Run> open;
+  const double side = space.frame().resolution;
+  const OccupancyGrid& cells = space.cells();
+  for (int y = 0; y <= cells.height(); ++y) {
+    std::vector<Run> row;
+    if (y < cells.height()) {
+      cells.for_each_run(y, false, [&](int first, int last) { row.push_back({first, last, y}); });
+    }
+    for (const Run& run : open) {
+      const auto same = std::find_if(row.begin(), row.end(), [&](const Run& r) {
+        return r.first == run.first && r.last == run.last;
+      });
+      if (same != row.end()) {
+        same->from_row = run.from_row;
+        continue;
+      }
+      const Point low = space.bounds().min + side * Point(run.first, run.from_row);
+      const Point high = space.bounds().min + side * Point(run.last + 1, y);
+      rectangles.emplace_back(
+          Polygon{{low, Point{high.x(), low.y()}, high, Point{low.x(), high.y()}}});
+    }
+    open = std::move(row);
+  }
+  return rectangles;
 }
 
 /// The algorithms that a comma list names.
@@ -202,9 +277,9 @@ std::vector<Algorithm> select(const std::vector<Algorithm>& all, const std::stri
   return selected;
 }
 
-std::vector<Result> run(const LatticeSpace& space, const Scene& scene, const Arguments& args,
-                        const AnySearch<LatticeSpace>& search,
-                        const AnySmoother<LatticeSpace>& smoother) {
+template <class S>
+std::vector<Result> run(const S& space, const Scene& scene, const Arguments& args,
+                        const AnySearch<S>& search, const AnySmoother<S>& smoother) {
   Planner planner(search, smoother);
   std::vector<Result> results;
   for (const Point& goal : scene.goals) {
@@ -262,7 +337,7 @@ void print_plans(const std::vector<Result>& results) {
 
 /// One row per algorithm, figures added up over all goals.
 void print_comparison(const std::vector<std::vector<Result>>& groups, bool by_search) {
-  std::printf("%-16s %9s %10s %6s %9s %10s %10s %10s %9s\n", by_search ? "search" : "smoother",
+  std::printf("%-20s %9s %10s %6s %9s %10s %10s %10s %9s\n", by_search ? "search" : "smoother",
               "planned", "length m", "turns", "angle deg", "max curv.", "clear >= m", "expanded",
               "ms");
   for (const std::vector<Result>& group : groups) {
@@ -285,16 +360,17 @@ void print_comparison(const std::vector<std::vector<Result>>& groups, bool by_se
     }
     const ResultHeader& header = group.front().header;
     const std::string count = std::to_string(planned) + "/" + std::to_string(group.size());
-    std::printf("%-16s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f\n",
+    std::printf("%-20s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f\n",
                 (by_search ? header.search : header.smoother).c_str(), count.c_str(), length, turns,
                 degrees(angle), curvature, clearance, static_cast<unsigned long long>(expanded),
                 ms);
   }
 }
 
-void draw(const std::string& path, const Scene& scene, const LatticeSpace& space,
+template <class S>
+void draw(const std::string& path, const Scene& scene, const S& space, bool y_down,
           const std::vector<std::vector<Result>>& groups) {
-  SvgOptions options{.title = scene.name};
+  SvgOptions options{.title = scene.name, .y_down = y_down};
   std::vector<Plan> plans;
   const DeltaSmoother delta;
   for (const auto& group : groups) {
@@ -331,40 +407,19 @@ void write_results(const std::string& path, const std::vector<std::vector<Result
   }
 }
 
-int plan(const Arguments& args, bool draw_default) {
-  const auto searches = all_searches<LatticeSpace>();
-  const auto smoothers = all_smoothers<LatticeSpace>();
-  if (args.list) {
-    std::cout << "search:";
-    for (const auto& search : searches) std::cout << ' ' << search.name;
-    std::cout << "\nsmoother:";
-    for (const auto& smoother : smoothers) std::cout << ' ' << smoother.name;
-    std::cout << '\n';
-    return 0;
-  }
+/// Plans everything asked for and reports it. `y_down` is for pictures.
+template <class S>
+int plan_in(const S& space, const Scene& scene, const Arguments& args, bool draw_default,
+            bool y_down) {
+  const auto searches = all_searches<S>();
+  const auto smoothers = all_smoothers<S>();
   const auto chosen_searches = select(searches, "--search", args.search);
   const auto chosen_smoothers = select(smoothers, "--smoother", args.smoother);
-  if (args.compare && (chosen_searches.size() > 1 || chosen_smoothers.size() > 1)) {
-    throw UsageError{"--compare takes one --search and one --smoother to hold the others against"};
-  }
-  const Scene scene = configured_scene(args);
-  const auto space = LatticeSpace::build(scene.workspace, {.resolution = scene.resolution});
-  if (!space) throw UsageError{space.error().detail};
-
   const bool table = args.json != "-";
-  if (table) {
-    std::printf("%s: safety radius %g m, lattice %g m, start %s\n",
-                scene.name.empty() ? args.workspace.c_str() : scene.name.c_str(),
-                scene.workspace.safety_radius, scene.resolution, to_text(scene.start).c_str());
-    if (const WorkspaceReport report = inspect(scene.workspace); !report.empty()) {
-      std::fflush(stdout);
-      std::cout << "workspace: " << report << std::endl;
-    }
-  }
   std::vector<std::vector<Result>> groups;
   if (args.compare) {
     for (const auto& search : searches) {
-      groups.push_back(run(*space, scene, args, search, chosen_smoothers[0]));
+      groups.push_back(run(space, scene, args, search, chosen_smoothers[0]));
     }
     if (table) {
       std::printf("\nall searches, smoother %s; sums over %zu goals\n", args.smoother.c_str(),
@@ -373,7 +428,7 @@ int plan(const Arguments& args, bool draw_default) {
     }
     std::vector<std::vector<Result>> by_smoother;
     for (const auto& smoother : smoothers) {
-      by_smoother.push_back(run(*space, scene, args, chosen_searches[0], smoother));
+      by_smoother.push_back(run(space, scene, args, chosen_searches[0], smoother));
     }
     if (table) {
       std::printf("\nall smoothers, search %s; sums over %zu goals\n", args.search.c_str(),
@@ -384,7 +439,7 @@ int plan(const Arguments& args, bool draw_default) {
   } else {
     for (const auto& search : chosen_searches) {
       for (const auto& smoother : chosen_smoothers) {
-        groups.push_back(run(*space, scene, args, search, smoother));
+        groups.push_back(run(space, scene, args, search, smoother));
         if (!table) continue;
         std::printf("\nsearch %s, smoother %s; changes against the route of the search\n",
                     std::string(search.name).c_str(), std::string(smoother.name).c_str());
@@ -397,7 +452,7 @@ int plan(const Arguments& args, bool draw_default) {
   if (!args.json.empty()) write_results(args.json, groups);
   const std::string picture = args.svg.empty() && draw_default ? "maze.svg" : args.svg;
   if (!picture.empty()) {
-    draw(picture, scene, *space, groups);
+    draw(picture, scene, space, y_down, groups);
     if (table) std::printf("\npicture: %s\n", picture.c_str());
   }
   for (const auto& group : groups) {
@@ -406,6 +461,59 @@ int plan(const Arguments& args, bool draw_default) {
     }
   }
   return 0;
+}
+
+int plan_on_grid(const Arguments& args) {
+  const CellSpace space = load_grid(args);
+  Scene scene;
+  scene.name = std::filesystem::path(args.grid).filename().string();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  scene.start = {nan, nan};
+  override_task(args, scene);
+  scene.workspace = {.bounds = space.bounds(), .safety_radius = space.safety_radius()};
+  if (!args.svg.empty()) scene.workspace.obstacles = blocked_rectangles(space);
+  if (args.json != "-") {
+    std::printf("%s: %d x %d cells of %g m, safety radius %g m, start %s\n", scene.name.c_str(),
+                space.cells().width(), space.cells().height(), space.frame().resolution,
+                space.safety_radius(), to_text(scene.start).c_str());
+  }
+  const bool y_down = std::filesystem::path(args.grid).extension() == ".map";
+  return plan_in(space, scene, args, false, y_down);
+}
+
+int plan_in_workspace(const Arguments& args, bool draw_default) {
+  const Scene scene = configured_scene(args);
+  const auto space =
+      value_or_usage_error(LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}));
+  if (args.json != "-") {
+    std::printf("%s: safety radius %g m, lattice %g m, start %s\n",
+                scene.name.empty() ? args.workspace.c_str() : scene.name.c_str(),
+                scene.workspace.safety_radius, scene.resolution, to_text(scene.start).c_str());
+    if (const WorkspaceReport report = inspect(scene.workspace); !report.empty()) {
+      std::fflush(stdout);
+      std::cout << "workspace: " << report << std::endl;
+    }
+  }
+  return plan_in(space, scene, args, draw_default, false);
+}
+
+int plan(const Arguments& args, bool draw_default) {
+  const auto searches = all_searches<LatticeSpace>();
+  const auto smoothers = all_smoothers<LatticeSpace>();
+  if (args.list) {
+    std::cout << "search:";
+    for (const auto& search : searches) std::cout << ' ' << search.name;
+    std::cout << "\nsmoother:";
+    for (const auto& smoother : smoothers) std::cout << ' ' << smoother.name;
+    std::cout << '\n';
+    return 0;
+  }
+  const auto named_searches = select(searches, "--search", args.search);
+  const auto named_smoothers = select(smoothers, "--smoother", args.smoother);
+  if (args.compare && (named_searches.size() > 1 || named_smoothers.size() > 1)) {
+    throw UsageError{"--compare takes one --search and one --smoother to hold the others against"};
+  }
+  return args.grid.empty() ? plan_in_workspace(args, draw_default) : plan_on_grid(args);
 }
 
 }  // namespace

@@ -8,7 +8,12 @@
 
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/search/astar.hpp"
+#include "tutavia/search/bidirectional_astar.hpp"
+#include "tutavia/search/canonical_astar.hpp"
 #include "tutavia/search/dijkstra.hpp"
+#include "tutavia/search/jps.hpp"
+#include "tutavia/search/penalty_astar.hpp"
+#include "tutavia/search/weighted_astar.hpp"
 #include "tutavia/space/lattice_space.hpp"
 #include "tutavia/world/maps.hpp"
 
@@ -72,6 +77,11 @@ int main() {
     const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
     check_search<AStar>("A*, second query", space, scene);
     check_search<Dijkstra>("Dijkstra, second query", space, scene);
+    check_search<WeightedAStar>("weighted A*, second query", space, scene);
+    check_search<CanonicalAStar>("canonical A*, second query", space, scene);
+    check_search<BidirectionalAStar>("bidirectional A*, second query", space, scene);
+    check_search<PenaltyAStar>("penalty A*, second query", space, scene);
+    check_search<Jps>("JPS, second query", space, scene);
   }
   return failures == 0 ? 0 : 1;
 }

@@ -8,8 +8,14 @@
 
 #include "tutavia/pull/shortcut.hpp"
 #include "tutavia/search/astar.hpp"
+#include "tutavia/search/bidirectional_astar.hpp"
+#include "tutavia/search/canonical_astar.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/dijkstra.hpp"
+#include "tutavia/search/jps.hpp"
+#include "tutavia/search/jps_plus.hpp"
+#include "tutavia/search/penalty_astar.hpp"
+#include "tutavia/search/weighted_astar.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "tutavia/smooth/no_smoothing.hpp"
@@ -60,10 +66,34 @@ AnySmoother<S> erase_smoother(const A& algorithm) {
           }};
 }
 
+/// JPS+ with a table that is prepared for the space at the first query.
+template <class S>
+AnySearch<S> erase_jps_plus() {
+  auto algorithm = std::make_shared<JpsPlus>();
+  auto scratch = std::make_shared<JpsPlus::Scratch>();
+  return {JpsPlus::name,
+          [algorithm, scratch](const S& space, const Query& query) -> Expected<Route, Failure> {
+            if (algorithm->table == nullptr || !algorithm->table->matches(space.grid())) {
+              auto table = JpsPlus::prepare(space);
+              if (!table) return Unexpected{table.error()};
+              algorithm->table = *table;
+            }
+            NoObserver nobody;
+            return algorithm->search(space, query, *scratch, nobody);
+          }};
+}
+
 /// Every searcher of the library that works on S, with default options.
 template <class S>
 std::vector<AnySearch<S>> all_searches() {
-  return {erase_search<S>(Dijkstra{}), erase_search<S>(AStar{})};
+  return {erase_search<S>(Dijkstra{}),
+          erase_search<S>(AStar{}),
+          erase_search<S>(WeightedAStar{}),
+          erase_search<S>(CanonicalAStar{}),
+          erase_search<S>(BidirectionalAStar{}),
+          erase_search<S>(PenaltyAStar{}),
+          erase_search<S>(Jps{}),
+          erase_jps_plus<S>()};
 }
 
 /// Every smoother of the library that works on S, with default options.

@@ -268,4 +268,46 @@ TEST_CASE("unknown keys of a workspace file are warned of and change nothing") {
   CHECK(contains(outcome.out, "lattice 0.02 m"));
 }
 
+TEST_CASE("grid maps are planned on their cells, and bad ones refused with the place") {
+  const Folder folder;
+  folder.write("room.map",
+               "type octile\r\nheight 3\r\nwidth 5 \r\nmap\r\n.....\r\n.@@@.\r\n.....\r\n");
+  const std::string task = " --grid room.map --start 0.5,1.5 --goal 4.5,1.5 ";
+  const Outcome plain =
+      folder.run(task + "--search astar,jps,jps_plus --smoother none --json r.json");
+  REQUIRE(plain.code == 0);
+  const auto results = nlohmann::json::parse(read(folder / "r.json"))["results"];
+  REQUIRE(results.size() == 3);
+  // Down one cell, along four and back up: no diagonal may cut the blocked corners.
+  for (const auto& result : results) CHECK(result["metrics"]["length"].get<double>() == 6);
+  CHECK(folder.run(task + "--svg room.svg").code == 0);
+  CHECK(contains(read(folder / "room.svg"), "<svg"));
+  CHECK(folder.run(task + "--radius 0.5").code == 0);  // exactly as wide as the corridor
+  CHECK(folder.run(task + "--radius 0.51").code == 1);
+
+  folder.write("floor.pgm", "P2 3 2 255 254 0 254 254 205 254\n");
+  folder.write("floor.yaml",
+               "image: floor.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\nnegate: 0\n"
+               "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  const std::string ros = "--grid floor.yaml --start -0.75,2.25 --goal 0.25,2.25 ";
+  CHECK(folder.run(ros).code == 1);
+  CHECK(folder.run(ros + "--unknown free").code == 0);
+
+  const auto refused = [&](const std::string& arguments, const std::string& part) {
+    const Outcome outcome = folder.run(arguments);
+    INFO(arguments << ": " << outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(lines(outcome.err) == 1);
+    CHECK(contains(outcome.err, part));
+  };
+  folder.write("short.map", "type octile\nheight 3\nwidth 5\nmap\n.....\n");
+  folder.write("odd.map", "type octile\nheight 1\nwidth 3\nmap\n.x.\n");
+  refused("--grid short.map --start 0.5,0.5 --goal 1.5,0.5", "short.map: line 6");
+  refused("--grid odd.map --start 0.5,0.5 --goal 1.5,0.5", "odd.map: line 5");
+  refused("--grid none.map --start 0.5,0.5 --goal 1.5,0.5", "none.map");
+  refused("--grid room.pdf --start 0.5,0.5 --goal 1.5,0.5", "unknown kind of file");
+  refused("--grid room.map --goal 1.5,0.5", "no start");
+  refused(task + "--resolution 2", "--grid brings its own resolution");
+}
+
 }  // namespace

@@ -143,4 +143,12 @@ TEST_CASE("convex corners are found, reflex ones and those of holes are told apa
   }
 }
 
+TEST_CASE("the nearest obstacle is found in a world of no size, too") {
+  Workspace world{.bounds = {{1, 0}, {1, 0}}};
+  world.obstacles.emplace_back(Polygon{{{0, 2}}});
+  const auto space = InflatedSpace::build(world).value();
+  CHECK(space.clearance({1, 0}) == Approx(std::sqrt(5.0)));
+  CHECK(space.is_free({1, 0}));
+}
+
 }  // namespace

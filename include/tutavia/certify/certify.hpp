@@ -33,7 +33,10 @@ template <ClearanceSpace S>
 class ClearanceInterval {
  public:
   ClearanceInterval(const S& space, const CertifyOptions& options, Certificate& certificate)
-      : space_(space), options_(options), out_(certificate) {
+      : space_(space),
+        epsilon_(std::max(options.epsilon, 4 * space.slack())),
+        max_evaluations_(options.max_evaluations_per_piece),
+        out_(certificate) {
     out_.lower = std::numeric_limits<double>::infinity();
   }
 
@@ -48,8 +51,8 @@ class ClearanceInterval {
         const Segment chord{part.piece.start(), part.piece.end()};
         const auto [lower, nearest] = narrow(piece, index, part, chord, part.piece.deviation());
         ++evaluations;
-        if (lower >= out_.upper - options_.epsilon || part.depth == PartStack<P>::max_depth ||
-            evaluations >= options_.max_evaluations_per_piece) {
+        if (lower >= out_.upper - epsilon_ || part.depth == PartStack<P>::max_depth ||
+            evaluations >= max_evaluations_) {
           out_.lower = std::min(out_.lower, lower);
         } else {
           stack.push_halves(part, nearest);
@@ -88,7 +91,8 @@ class ClearanceInterval {
   }
 
   const S& space_;
-  const CertifyOptions& options_;
+  double epsilon_;
+  std::size_t max_evaluations_;
   Certificate& out_;
   double magnitude_ = 0;
 };

@@ -60,13 +60,17 @@ class Curve {
   /// The polyline through `points`; a single point gives a curve of length 0.
   static Curve polyline(std::span<const Point> points) {
     Curve curve;
-    curve.pieces_.reserve(points.size());
-    curve.ends_.reserve(points.size());
+    curve.reserve(points.size());
     if (points.size() == 1) curve.push_back(Segment{points[0], points[0]});
     for (std::size_t i = 1; i < points.size(); ++i) {
       curve.push_back(Segment{points[i - 1], points[i]});
     }
     return curve;
+  }
+
+  void reserve(std::size_t pieces) {
+    pieces_.reserve(pieces);
+    ends_.reserve(pieces);
   }
 
   /// \pre the piece starts where the curve ends

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "tutavia/geometry/box.hpp"
@@ -23,6 +24,12 @@ struct Polygon {
   Ring outer;
   std::vector<Ring> holes{};
 };
+
+/// A wall without thickness along a chain of points: a ring that goes there and back.
+inline Polygon wall(Ring points) {
+  for (std::size_t i = points.size(); i-- > 1;) points.push_back(Point(points[i - 1]));
+  return {std::move(points)};
+}
 
 /// Calls `visit(a, b)` for every edge of the ring, the closing one included; an edge between equal
 /// points is left out. A ring of one distinct point has the single edge (p, p).

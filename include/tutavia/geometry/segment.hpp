@@ -83,4 +83,19 @@ inline Approach approach(const Segment& s, const Segment& other) {
   return best;
 }
 
+/// Whether `s` keeps a distance of at least `radius` + `margin` from `core`: decided by the
+/// computed distance where that is clear by more than `slack`, else exactly. \pre `radius` and
+/// `margin` are not negative
+inline bool keeps_distance(const Segment& s, const Segment& core, double radius, double margin,
+                           double slack) {
+  const double gap = approach(s, core).distance - radius - margin;
+  if (gap > slack) return true;
+  if (gap < -slack) return false;
+  const auto keeps = [&](const Point& p, const Segment& q) {
+    return compare_distance(p, q.a, q.b, radius, margin) >= 0;
+  };
+  return !segments_intersect(s.a, s.b, core.a, core.b) && keeps(s.a, core) && keeps(s.b, core) &&
+         keeps(core.a, s) && keeps(core.b, s);
+}
+
 }  // namespace tutavia

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "tutavia/core/error.hpp"
+#include "tutavia/grid/bits.hpp"
 #include "tutavia/grid/cell.hpp"
 #include "tutavia/grid/movement.hpp"
+#include "tutavia/grid/successors.hpp"
 
 /// \file
 /// OccupancyGrid: one bit per cell.
@@ -24,6 +26,36 @@ namespace tutavia {
 /// `index_count()` entries.
 class OccupancyGrid {
  public:
+  /// A grid by value, for inner loops: what they read stays in registers, whatever they write.
+  struct View {
+    const std::uint64_t* words;
+    std::size_t stride;
+    std::uint64_t reciprocal;
+    int reciprocal_shift;
+
+    std::size_t index(Cell cell) const {
+      return static_cast<std::size_t>(cell.y + 1) * stride + static_cast<std::size_t>(cell.x + 1);
+    }
+    Cell cell(std::size_t index) const {
+      // Rounded up, the reciprocal gives exact quotients for fewer than 2^26 words.
+      const std::size_t row = (index / 64 * reciprocal) >> reciprocal_shift;
+      return {static_cast<int>(index - row * stride) - 1, static_cast<int>(row) - 1};
+    }
+    bool is_free(std::size_t index) const {
+      return ((words[index / 64] >> (index % 64)) & 1u) != 0;
+    }
+    /// The eight neighbours of a cell. \pre the cell lies in the grid
+    Neighbourhood neighbourhood(std::size_t index) const {
+      const auto three = [this](std::size_t from) {
+        return static_cast<unsigned>(load_bits(words, from) & 7u);
+      };
+      const unsigned below = three(index - stride - 1), beside = three(index - 1),
+                     above = three(index + stride - 1);
+      return static_cast<Neighbourhood>(below | (beside & 1u) << 3 | (beside & 4u) << 2 |
+                                        above << 5);
+    }
+  };
+
   /// No cells at all.
   OccupancyGrid() : OccupancyGrid(0, 0, 1) {}
 
@@ -47,6 +79,8 @@ class OccupancyGrid {
                          static_cast<std::size_t>(words));
   }
 
+  View view() const { return {bits_.data(), stride_, reciprocal_, reciprocal_shift_}; }
+
   int width() const { return width_; }
   int height() const { return height_; }
 
@@ -56,13 +90,50 @@ class OccupancyGrid {
 
   /// \pre the cell lies in the grid or in its one-cell frame, which is blocked
   bool is_free(Cell cell) const { return is_free(index(cell)); }
-  bool is_free(std::size_t index) const { return ((bits_[index / 64] >> (index % 64)) & 1u) != 0; }
+  bool is_free(std::size_t index) const { return view().is_free(index); }
 
   /// \pre the cell lies in the grid
   void set(Cell cell, bool free) {
     const std::size_t i = index(cell);
     const std::uint64_t bit = std::uint64_t{1} << (i % 64);
     bits_[i / 64] = free ? bits_[i / 64] | bit : bits_[i / 64] & ~bit;
+  }
+
+  /// Sets the cells of row y from column `first` to `last`, as far as they lie in the grid.
+  void set_run(int y, int first, int last, bool free) {
+    first = std::max(first, 0);
+    last = std::min(last, width_ - 1);
+    if (y < 0 || y >= height_ || first > last) return;
+    const std::size_t begin = index({first, y}), end = index({last, y});
+    for (std::size_t word = begin / 64; word <= end / 64; ++word) {
+      std::uint64_t mask = ~std::uint64_t{0};
+      if (word == begin / 64) mask <<= begin % 64;
+      if (word == end / 64) mask &= ~std::uint64_t{0} >> (63 - end % 64);
+      bits_[word] = free ? bits_[word] | mask : bits_[word] & ~mask;
+    }
+  }
+
+  /// Calls `visit(first, last)` for every longest run of free (or of blocked) cells of row y, from
+  /// left to right. \pre the row lies in the grid
+  template <class Visit>
+  void for_each_run(int y, bool free, Visit visit) const {
+    for (int first = run_end(y, 0, !free); first < width_;) {
+      const int end = run_end(y, first, free);
+      visit(first, end - 1);
+      first = run_end(y, end, !free);
+    }
+  }
+
+  /// The first column from x on whose cell is not free (or not blocked); the width, where there is
+  /// none. \pre the row lies in the grid
+  int run_end(int y, int x, bool free) const {
+    while (x < width_) {
+      const std::uint64_t bits = load_bits(bits_.data(), index({x, y}));
+      const int same = std::countr_one(free ? bits : ~bits);
+      if (same < static_cast<int>(loaded_bits)) return std::min(x + same, width_);
+      x += static_cast<int>(loaded_bits);
+    }
+    return width_;
   }
 
   std::size_t count_free() const {
@@ -72,39 +143,37 @@ class OccupancyGrid {
   }
 
   /// Position of a cell in label arrays.
-  std::size_t index(Cell cell) const {
-    return static_cast<std::size_t>(cell.y + 1) * stride() + static_cast<std::size_t>(cell.x + 1);
-  }
-  Cell cell(std::size_t index) const {
-    return {static_cast<int>(index % stride()) - 1, static_cast<int>(index / stride()) - 1};
-  }
+  std::size_t index(Cell cell) const { return view().index(cell); }
+  Cell cell(std::size_t index) const { return view().cell(index); }
   /// One more than the largest index.
   std::size_t index_count() const { return bits_.size() * 64; }
   /// Difference between the indices of a cell and the one above it.
-  std::size_t stride() const { return words_per_row_ * 64; }
+  std::size_t stride() const { return stride_; }
+
+  /// The words of the rows, 64 cells each (1: free); the cell with index i is bit i % 64 of word
+  /// i / 64.
+  const std::vector<std::uint64_t>& words() const { return bits_; }
 
   /// Whether a robot may step from a free cell of the grid in direction `step` (an index into
   /// `steps`).
   bool can_step(Cell from, std::size_t step, MovementRule rule) const {
-    if (!is_free(from + steps[step])) return false;
-    if (!is_diagonal(step)) return true;
-    if (rule == MovementRule::four_connected) return false;
-    if (rule == MovementRule::allow) return true;
-    const bool left = is_free(from + steps[(step + 1) % 8]);
-    const bool right = is_free(from + steps[step - 1]);
-    return rule == MovementRule::no_cut ? left && right : left || right;
+    return detail::can_step(view().neighbourhood(index(from)), step, rule);
   }
 
  private:
   OccupancyGrid(int width, int height, std::size_t words_per_row)
       : width_(width),
         height_(height),
-        words_per_row_(words_per_row),
+        stride_(words_per_row * 64),
+        reciprocal_shift_(26 + static_cast<int>(std::bit_width(words_per_row))),
+        reciprocal_(((std::uint64_t{1} << reciprocal_shift_) + words_per_row - 1) / words_per_row),
         bits_(words_per_row * (static_cast<std::size_t>(height) + 2), 0) {}
 
   int width_;
   int height_;
-  std::size_t words_per_row_;
+  std::size_t stride_;
+  int reciprocal_shift_;
+  std::uint64_t reciprocal_;
   std::vector<std::uint64_t> bits_;  // 1: free
 };
 

@@ -2,9 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -24,27 +21,6 @@ struct SceneFile {
   Scene scene;
   std::vector<std::string> warnings;  ///< one line each
 };
-
-/// The text of a file, or `invalid_input` with its name.
-inline Expected<std::string, Failure> read_text(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.is_open() || file.bad()) {
-    return fail(PlanError::invalid_input, path.string() + ": cannot be read");
-  }
-  return text;
-}
-
-/// `parse` of a file's text; details of failures begin with the file's name.
-template <class Parse>
-auto read_file(const std::filesystem::path& path, Parse parse)
-    -> decltype(parse(std::string_view{})) {
-  const auto text = read_text(path);
-  if (!text) return Unexpected{text.error()};
-  auto result = parse(std::string_view(*text));
-  if (!result) result.error().detail = path.string() + ": " + result.error().detail;
-  return result;
-}
 
 /// Reads fields of JSON values. What is wrong is thrown as a string that says where; `parse_json`
 /// turns that into a failure.

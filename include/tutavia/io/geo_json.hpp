@@ -11,6 +11,7 @@
 
 #include "tutavia/core/error.hpp"
 #include "tutavia/io/fields_json.hpp"
+#include "tutavia/io/read_file.hpp"
 #include "tutavia/world/scene.hpp"
 
 /// \file
@@ -80,10 +81,7 @@ class GeoJsonReader {
     if (type == "Point") {
       out_.obstacles.emplace_back(Disc{fields::point(json, name, true), radius});
     } else if (type == "LineString") {
-      // There and back: a ring without area.
-      Ring ring = fields::ring(json, name, true);
-      for (std::size_t i = ring.size(); i-- > 1;) ring.push_back(Point(ring[i - 1]));
-      out_.obstacles.emplace_back(Polygon{std::move(ring)});
+      out_.obstacles.emplace_back(wall(fields::ring(json, name, true)));
     } else if (type == "Polygon") {
       Polygon polygon;
       fields::each(json, name, [&](const Json& item, const std::string& item_name) {

@@ -29,11 +29,12 @@ struct SvgOptions {
   double width = 800;                     ///< of the drawing area, in pixels
   std::vector<Point> critical_corners{};  ///< marked with crosses
   std::string title{};
+  bool y_down = false;  ///< y grows downwards, as in images
 };
 
 namespace detail {
 
-/// Writes one picture: metres in, pixels out, y upwards.
+/// Writes one picture: metres in, pixels out.
 class SvgPicture {
  public:
   SvgPicture(const Workspace& workspace, const SvgOptions& options)
@@ -88,7 +89,8 @@ class SvgPicture {
 
   Point pixel(const Point& p) const {
     return {offset_.x() + (p.x() - bounds_.min.x()) * scale_,
-            offset_.y() + (bounds_.max.y() - p.y()) * scale_};
+            offset_.y() +
+                (options_.y_down ? p.y() - bounds_.min.y() : bounds_.max.y() - p.y()) * scale_};
   }
   std::string at(const Point& p) const {
     const Point q = pixel(p);

@@ -42,10 +42,10 @@ class WktReader {
         out.emplace_back(Disc{to_point(p), 0});
       }
     } else if (type == "LINESTRING") {
-      out.emplace_back(wall(parse<Line>(text)));
+      out.emplace_back(wall(to_ring(parse<Line>(text))));
     } else if (type == "MULTILINESTRING") {
       for (const auto& line : parse<bg::model::multi_linestring<Line>>(text)) {
-        out.emplace_back(wall(line));
+        out.emplace_back(wall(to_ring(line)));
       }
     } else if (type == "POLYGON") {
       out.emplace_back(solid(parse<Area>(text)));
@@ -88,11 +88,6 @@ class WktReader {
     Polygon polygon{to_ring(area.outer())};
     for (const auto& hole : area.inners()) polygon.holes.push_back(to_ring(hole));
     return polygon;
-  }
-  static Polygon wall(const Line& line) {  // there and back: a ring without area
-    Ring ring = to_ring(line);
-    for (std::size_t i = ring.size(); i-- > 1;) ring.push_back(Point(ring[i - 1]));
-    return {std::move(ring)};
   }
 };
 

@@ -12,6 +12,7 @@
 
 #include "tutavia/core/error.hpp"
 #include "tutavia/io/fields_json.hpp"
+#include "tutavia/io/read_file.hpp"
 #include "tutavia/world/scene.hpp"
 
 /// \file

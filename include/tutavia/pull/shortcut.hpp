@@ -10,6 +10,7 @@
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/pull/grid_nodes.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -27,7 +28,8 @@ inline std::vector<Point> joints(const Curve& curve) {
   return points;
 }
 
-/// Greedy shortcuts: from each joint kept, goes straight to a late joint that it sees.
+/// Greedy shortcuts: from each joint kept, goes straight to a late joint that it sees. The nodes
+/// that a grid path passes count as joints.
 ///
 /// Looks ahead in doubling steps until a joint is out of sight, then bisects: O(n log n) lines of
 /// sight for n joints. Sight need not be monotone along a path, so the joint found is not always
@@ -37,7 +39,8 @@ struct Shortcut {
 
   /// Errors: what the budget says.
   template <FreeSpace S>
-  Expected<Curve, Failure> smooth(const S& space, const Curve& curve, const Budget& budget) const {
+  Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
+    const Curve curve = split_at_nodes(space, input);
     const std::vector<Point> points = joints(curve);
     Curve result;
     for (std::size_t i = 0; i + 1 < points.size();) {

@@ -1,34 +1,75 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string_view>
 
-#include "tutavia/search/best_first.hpp"
-#include "tutavia/search/concepts.hpp"
+#include "tutavia/grid/cell_costs.hpp"
 #include "tutavia/search/grid_graph.hpp"
+#include "tutavia/search/heuristic.hpp"
+#include "tutavia/search/wave_search.hpp"
 
 /// \file
-/// A*: a cheapest path on a grid, guided by the octile distance.
+/// A*: a cheapest path on a grid, guided by a heuristic.
 
 namespace tutavia {
+
+/// Memory of A* and Dijkstra's algorithm: of one wave, and of the general search for cell costs and
+/// other heuristics.
+struct AStarScratch {
+  WaveScratch wave;
+  GridGraphScratch graph;
+};
+
+namespace detail {
+
+/// `invalid_option` for cell costs of another size than the space's grid.
+template <GridSpace S>
+std::optional<Failure> check_costs(const S& space, const std::shared_ptr<const CellCosts>& costs) {
+  if (costs == nullptr ||
+      (costs->width() == space.grid().width() && costs->height() == space.grid().height())) {
+    return std::nullopt;
+  }
+  return Failure{.code = PlanError::invalid_option,
+                 .detail = "costs must have the size of the space's grid"};
+}
+
+}  // namespace detail
 
 /// A* with the octile heuristic, which is admissible and consistent under every movement rule.
 ///
 /// Returns a shortest path among the grid's steps and the links of start and goal (to 1.3e-9
-/// relative, the rounding of integer costs), or the straight segment where that is free. Ties go to
-/// the larger g, then to the earlier label, so the answer is the same everywhere. Complete on the
-/// grid: `unreachable_at_resolution` means that the grid has no path. Other errors: see
-/// search_grid. Source: Hart, Nilsson and Raphael 1968.
+/// relative, the rounding of integer costs), or the straight segment between points off the grid
+/// where that is free. With `costs` it is the cheapest path by them, its price in `Route::cost`.
+/// The answer is the same everywhere. Complete on the grid: `unreachable_at_resolution` means that
+/// the grid has no path. `invalid_option` for costs of another size; other errors: see search_grid.
+/// Source: Hart, Nilsson and Raphael 1968, "A formal basis for the heuristic determination of
+/// minimum cost paths".
 struct AStar {
   static constexpr std::string_view name = "astar";
-  using Scratch = BestFirstScratch;
+  using Scratch = AStarScratch;
+
+  Heuristic heuristic = Heuristic::octile;
+  std::shared_ptr<const CellCosts> costs{};  ///< surcharges; none: every cell costs the same
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    return search_grid(space, query, scratch, [&](const auto& graph, Statistics& stats) {
-      return best_first(graph, graph.octile_heuristic(), scratch, query.budget, observer, stats);
+    if (auto failure = detail::check_costs(space, costs)) return Unexpected{std::move(*failure)};
+    if (costs != nullptr) {
+      return graph_search(space, query, scratch.graph, observer, *costs,
+                          [this](const LinkedQuery& linked, Cell cell) {
+                            return CellCosts::scale * estimated_cost(heuristic, linked, cell);
+                          });
+    }
+    if (heuristic != Heuristic::octile) {
+      return graph_search(space, query, scratch.graph, observer, PlainPrices{},
+                          [this](const LinkedQuery& linked, Cell cell) {
+                            return estimated_cost(heuristic, linked, cell);
+                          });
+    }
+    return wave_search<false>(space, query, scratch.wave, observer, [](const LinkedQuery& linked) {
+      return OctileHeuristic{linked.goal_cell, linked.goal_offset};
     });
   }
 };

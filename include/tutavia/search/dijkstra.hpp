@@ -1,32 +1,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string_view>
 
-#include "tutavia/search/best_first.hpp"
-#include "tutavia/search/concepts.hpp"
-#include "tutavia/search/grid_graph.hpp"
+#include "tutavia/search/astar.hpp"
 
 /// \file
 /// Dijkstra's algorithm: a cheapest path on a grid, found without a heuristic.
 
 namespace tutavia {
 
-/// Dijkstra's algorithm: A* with heuristic 0. Same guarantees, answers of the same length, and more
-/// expansions: the yardstick for everything else.
+/// Dijkstra's algorithm: A* with heuristic 0. Same guarantees and errors, answers of the same
+/// length, and more expansions: the yardstick for everything else. For many queries with one end in
+/// common see FlowField.
 /// Source: Dijkstra 1959, "A note on two problems in connexion with graphs".
 struct Dijkstra {
   static constexpr std::string_view name = "dijkstra";
-  using Scratch = BestFirstScratch;
+  using Scratch = AStarScratch;
+
+  std::shared_ptr<const CellCosts> costs{};  ///< surcharges; none: every cell costs the same
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    return search_grid(space, query, scratch, [&](const auto& graph, Statistics& stats) {
-      const auto zero = [](NodeId) -> Cost { return 0; };
-      return best_first(graph, zero, scratch, query.budget, observer, stats);
-    });
+    if (auto failure = detail::check_costs(space, costs)) return Unexpected{std::move(*failure)};
+    if (costs != nullptr) {
+      return graph_search(space, query, scratch.graph, observer, *costs,
+                          [](const LinkedQuery&, Cell) -> Cost { return 0; });
+    }
+    return wave_search<false>(space, query, scratch.wave, observer,
+                              [](const LinkedQuery&) { return ZeroHeuristic{}; });
   }
 };
 

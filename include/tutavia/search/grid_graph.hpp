@@ -1,159 +1,118 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <bit>
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "tutavia/geometry/curve.hpp"
 #include "tutavia/search/best_first.hpp"
-#include "tutavia/search/query.hpp"
-#include "tutavia/search/route.hpp"
-#include "tutavia/space/concepts.hpp"
+#include "tutavia/search/linked_query.hpp"
 
 /// \file
-/// GridGraph: a grid with a query's start and goal joined to it.
+/// GridGraph: a grid with a query's start and goal joined to it, as a SearchGraph.
 
 namespace tutavia {
 
-/// The graph of a grid's free cells (node = cell index) and two more nodes for start and goal,
-/// which are linked to the cells around them. Link costs are rounded up to whole cost units.
-template <GridSpace S>
+/// Steps at their plain cost.
+struct PlainPrices {
+  static constexpr Cost scale = 1;
+  Cost price(Cell, std::size_t step) const { return step_cost(step); }
+};
+
+/// The graph of a grid's free cells (node = cell index) and two more nodes for start and goal.
+/// `Prices` says what steps cost, in 1 / Prices::scale of the usual unit.
+template <GridSpace S, class Prices = PlainPrices>
 class GridGraph {
  public:
-  GridGraph(const S& space, const Query& query, const Links& start_links, const Links& goal_links)
+  GridGraph(const S& space, const Query& query, const LinkedQuery& linked, const Prices& prices)
       : space_(space),
-        grid_(space.grid()),
+        grid_(space.grid().view()),
+        cells_(space.grid().index_count()),
+        table_(all_successors(space.movement())),
         query_(query),
-        start_links_(start_links),
-        goal_links_(goal_links),
-        goal_cell_(Frame(space.frame()).nearest_cell(query.goal)) {}
+        linked_(linked),
+        prices_(prices) {}
 
-  std::size_t size() const { return grid_.index_count() + 2; }
-  NodeId source() const { return static_cast<NodeId>(grid_.index_count()); }
+  std::size_t size() const { return cells_ + 2; }
+  NodeId source() const { return static_cast<NodeId>(cells_); }
   NodeId target() const { return source() + 1; }
 
   Point point(NodeId node) const {
     if (node == source()) return query_.start;
     if (node == target()) return query_.goal;
-    return Frame(space_.frame()).point(grid_.cell(node));
+    return space_.frame().point(grid_.cell(node));
   }
 
   template <class Visit>
   void for_each_successor(NodeId node, Visit visit) const {
     if (node == source()) {
-      for (const Link& link : start_links_) visit(id(link.cell), cost(link));
+      for (const auto& [cell, cost] : linked_.starts) visit(id(cell), Prices::scale * cost);
       return;
     }
     const Cell cell = grid_.cell(node);
-    for (std::size_t step = 0; step < steps.size(); ++step) {
-      if (grid_.can_step(cell, step, space_.movement())) {
-        visit(id(cell + steps[step]), step_cost(step));
-      }
+    for (unsigned left = table_[grid_.neighbourhood(node)]; left != 0; left &= left - 1) {
+      const auto step = static_cast<std::size_t>(std::countr_zero(left));
+      visit(id(cell + steps[step]), prices_.price(cell, step));
     }
-    if (octile_cost(cell, goal_cell_) > 2 * diagonal_cost) return;  // links are short
-    for (const Link& link : goal_links_) {
-      if (link.cell == cell) visit(target(), cost(link));
+    if (const auto cost = linked_.exit_cost(cell)) visit(target(), Prices::scale * *cost);
+  }
+
+  /// The path that a finished search left in its labels, from the goal's cell back to the start's.
+  void path(const BestFirstScratch& scratch, std::vector<Cell>& cells) const {
+    for (NodeId node = scratch.find(target())->parent; node != source();
+         node = scratch.find(node)->parent) {
+      append_cell(cells, grid_.cell(node));
     }
   }
 
-  /// A consistent estimate of the cost to the goal: octile distance to the cell nearest to it, plus
-  /// the least that any of its links adds to that (which may be negative).
-  auto octile_heuristic() const {
-    Cost offset = std::numeric_limits<Cost>::max();
-    for (const Link& link : goal_links_) {
-      offset = std::min(offset, cost(link) - octile_cost(link.cell, goal_cell_));
-    }
-    return [this, offset](NodeId node) -> Cost {
-      if (node >= source()) return 0;
-      return std::max(Cost{0}, octile_cost(grid_.cell(node), goal_cell_) + offset);
-    };
-  }
-
-  /// The path that a finished search left in its labels, one piece per step. A cell that coincides
-  /// with the start or the goal gives way to it.
-  Curve path(BestFirstScratch& scratch) const {
-    std::vector<Point>& points = scratch.points();
-    points.assign(1, query_.goal);
-    NodeId node = scratch.find(target())->parent;
-    if (cost_to_target(node) == 0) node = scratch.find(node)->parent;
-    while (node != source()) {
-      const BestFirstScratch::Label& label = *scratch.find(node);
-      const bool coincides = label.parent == source() && label.g == 0;
-      if (!coincides) points.push_back(point(node));
-      node = label.parent;
-    }
-    points.push_back(query_.start);
-    std::reverse(points.begin(), points.end());
-    return Curve::polyline(points);
-  }
+  Cell cell(NodeId node) const { return grid_.cell(node); }
 
  private:
   NodeId id(Cell cell) const { return static_cast<NodeId>(grid_.index(cell)); }
 
-  Cost cost(const Link& link) const {
-    return static_cast<Cost>(std::ceil(link.length / Frame(space_.frame()).resolution *
-                                       static_cast<double>(straight_cost)));
-  }
-
-  Cost cost_to_target(NodeId node) const {
-    for (const Link& link : goal_links_) {
-      if (id(link.cell) == node) return cost(link);
-    }
-    return -1;
-  }
-
   const S& space_;
-  const OccupancyGrid& grid_;
+  OccupancyGrid::View grid_;
+  std::size_t cells_;
+  const SuccessorTable& table_;
   const Query& query_;
-  const Links& start_links_;
-  const Links& goal_links_;
-  Cell goal_cell_;
+  const LinkedQuery& linked_;
+  const Prices& prices_;
 };
 
-/// What every search on a grid does around its core. The straight segment from start to goal is
-/// tried first; else both are linked to the grid and `run(graph, stats)` searches it, leaving the
-/// path in `scratch` or returning what stopped it.
-///
-/// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also where no cell around the
-/// point can be reached from it; `unreachable_at_resolution`; what the budget says.
-template <GridSpace S, class Run>
-Expected<Route, Failure> search_grid(const S& space, const Query& query, BestFirstScratch& scratch,
-                                     Run run) {
-  if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
-  Route route;
-  if (space.segment_free(query.start, query.goal)) {
-    route.curve.push_back(Segment{query.start, query.goal});
-    route.cost = route.curve.length();
-    return route;
+/// Memory of the searches on a GridGraph.
+struct GridGraphScratch {
+  BestFirstScratch best_first;
+  std::vector<Cell> cells;
+};
+
+/// Best-first search on a GridGraph. `estimate(linked, cell)` is the estimated price from a cell to
+/// the goal. The route's cost is the price paid, in metres. The straight segment is tried first
+/// where steps have their plain cost.
+template <GridSpace S, class Prices, class Estimate, Observer O>
+Expected<Route, Failure> graph_search(const S& space, const Query& query, GridGraphScratch& scratch,
+                                      O& observer, const Prices& prices, const Estimate& estimate) {
+  std::optional<Cost> paid;
+  auto route =
+      search_grid(space, query, scratch.cells,
+                  [&](const LinkedQuery& linked, std::vector<Cell>& cells,
+                      Statistics& stats) -> std::optional<Failure> {
+                    const GridGraph<S, Prices> graph(space, query, linked, prices);
+                    const auto heuristic = [&](NodeId node) -> Cost {
+                      return node >= graph.source() ? 0 : estimate(linked, graph.cell(node));
+                    };
+                    const auto stopped = best_first(graph, heuristic, scratch.best_first,
+                                                    query.budget, observer, stats);
+                    if (stopped) return Failure{.code = *stopped};
+                    graph.path(scratch.best_first, cells);
+                    paid = scratch.best_first.find(graph.target())->g;
+                    return std::nullopt;
+                  });
+  if (route && paid) {
+    route->cost = static_cast<double>(*paid) * Frame(space.frame()).resolution /
+                  static_cast<double>(Prices::scale * straight_cost);
   }
-  const Links start_links = space.links(query.start), goal_links = space.links(query.goal);
-  if (start_links.empty()) {
-    return fail(PlanError::start_blocked, "the start has no link to the grid at this resolution");
-  }
-  if (goal_links.empty()) {
-    return fail(PlanError::goal_blocked, "the goal has no link to the grid at this resolution");
-  }
-  const GridGraph<S> graph(space, query, start_links, goal_links);
-  if (const std::optional<PlanError> stopped = run(graph, route.stats)) {
-    Failure failure;
-    failure.code =
-        *stopped == PlanError::unreachable ? PlanError::unreachable_at_resolution : *stopped;
-    if (*stopped == PlanError::unreachable) {
-      failure.detail = "no path on the grid at resolution " +
-                       std::to_string(Frame(space.frame()).resolution) + " m";
-    } else if (*stopped == PlanError::budget_exhausted) {
-      failure.detail =
-          "search stopped after " + std::to_string(route.stats.expanded) + " expansions";
-    }
-    failure.stats = route.stats;
-    return Unexpected{std::move(failure)};
-  }
-  route.curve = graph.path(scratch);
-  route.cost = route.curve.length();
   return route;
 }
 

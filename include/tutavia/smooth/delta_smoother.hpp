@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "tutavia/certify/piece_proof.hpp"
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/error.hpp"
+#include "tutavia/pull/grid_nodes.hpp"
 #include "tutavia/pull/shortcut.hpp"
 #include "tutavia/smooth/critical_corners.hpp"
 
@@ -49,14 +49,14 @@ struct DeltaSmoother {
   /// Errors: `invalid_option` for one that is negative or not a number (the growth step must be
   /// positive), `invalid_input` for a curve that is no polyline, what the budget says.
   template <CornerSpace S>
-  Expected<Curve, Failure> smooth(const S& space, const Curve& curve, const Budget& budget) const {
+  Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
-    for (const Piece& piece : curve.pieces()) {
+    for (const Piece& piece : input.pieces()) {
       if (!std::holds_alternative<Segment>(piece)) {
         return fail(PlanError::invalid_input, "the delta smoother takes polylines only");
       }
     }
-    const std::vector<Point> nodes = joints(curve);
+    const std::vector<Point> nodes = joints(split_at_nodes(space, input));
     const std::vector<Trigger> triggers = find_triggers(space, nodes);
     Curve result;
     auto next = triggers.begin();
@@ -74,7 +74,7 @@ struct DeltaSmoother {
         i = j;
       }
     }
-    if (result.length() > curve.length()) return Shortcut{}.smooth(space, curve, budget);
+    if (result.length() > input.length()) return Shortcut{}.smooth(space, input, budget);
     return result;
   }
 

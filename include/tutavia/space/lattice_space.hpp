@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/concepts.hpp"
 #include "tutavia/space/grid_builder.hpp"
+#include "tutavia/space/grid_layer.hpp"
 #include "tutavia/space/inflated_space.hpp"
 
 /// \file
@@ -37,45 +36,28 @@ class LatticeSpace : public InflatedSpace {
     auto sampled = grid_builder(*space).build(
         {.resolution = options.resolution, .max_nodes = options.max_nodes});
     if (!sampled) return Unexpected{sampled.error()};
-    return LatticeSpace(std::move(*space), std::move(*sampled), options.movement);
+    return LatticeSpace(std::move(*space),
+                        GridLayer(std::move(sampled->grid), sampled->frame, options.movement));
   }
 
-  const OccupancyGrid& grid() const { return sampled_.grid; }
-  const Frame& frame() const { return sampled_.frame; }
-  MovementRule movement() const { return movement_; }
+  const OccupancyGrid& grid() const { return layer_.grid(); }
+  const Frame& frame() const { return layer_.frame(); }
+  MovementRule movement() const { return layer_.movement(); }
+  const StopPlanes& stop_planes() const { return layer_.stop_planes(); }
 
   /// Joins `p` to the free nodes within sqrt(2) delta that it reaches by a free segment; to the
   /// node alone where it lies within 1e-9 delta of one. None where there is no such node.
   Links links(const Point& p) const {
-    Links result;
-    if (!bounds().contains(p)) return result;
-    const double delta = frame().resolution;
-    const Cell centre = frame().nearest_cell(p);
-    const auto usable = [&](Cell cell) { return grid().contains(cell) && grid().is_free(cell); };
-    if (usable(centre) && distance(frame().point(centre), p) <= 1e-9 * delta) {
-      result.push_back({centre, 0});
-      return result;
-    }
-    for (int y = -1; y <= 1; ++y) {
-      for (int x = -1; x <= 1; ++x) {
-        const Cell cell = centre + Cell{x, y};
-        if (!usable(cell)) continue;
-        const Point node = frame().point(cell);
-        const double length = distance(node, p);
-        if (length <= std::numbers::sqrt2 * delta * (1 + 1e-9) && segment_free(p, node)) {
-          result.push_back({cell, length});
-        }
-      }
-    }
-    return result;
+    if (!bounds().contains(p)) return {};
+    return layer_.links(p, 1e-9 * frame().resolution,
+                        [this](const Point& a, const Point& b) { return segment_free(a, b); });
   }
 
  private:
-  LatticeSpace(InflatedSpace space, SampledGrid sampled, MovementRule movement)
-      : InflatedSpace(std::move(space)), sampled_(std::move(sampled)), movement_(movement) {}
+  LatticeSpace(InflatedSpace space, GridLayer layer)
+      : InflatedSpace(std::move(space)), layer_(std::move(layer)) {}
 
-  SampledGrid sampled_;
-  MovementRule movement_;
+  GridLayer layer_;
 };
 
 }  // namespace tutavia

@@ -21,6 +21,8 @@ struct Link {
 /// The links of one point; a fixed capacity keeps searches free of allocation.
 class Links {
  public:
+  static constexpr std::size_t capacity = 16;
+
   void push_back(const Link& link) {
     TUTAVIA_ASSERT(size_ < links_.size());
     links_[size_++] = link;
@@ -32,7 +34,7 @@ class Links {
   const Link& operator[](std::size_t i) const { return links_[i]; }
 
  private:
-  std::array<Link, 16> links_{};
+  std::array<Link, capacity> links_{};
   std::size_t size_ = 0;
 };
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "tutavia/grid/occupancy_grid.hpp"
+
+/// \file
+/// dilated: a grid with its blocked cells grown.
+
+namespace tutavia {
+
+/// The cells whose centres keep a distance from every blocked cell: free are those for which
+/// d >= `least`, d being the squared distance from the cell's centre to the nearest blocked square,
+/// in units of half a cell side (an integer). Blocked cells stay blocked. Costs O(runs of blocked
+/// cells x radius in cells).
+inline OccupancyGrid dilated(const OccupancyGrid& grid, std::int64_t least) {
+  // Half a cell less than the distance of the centres, along each axis.
+  const auto squared_gap = [](std::int64_t cells) {
+    return cells == 0 ? 0 : (2 * cells - 1) * (2 * cells - 1);
+  };
+  std::vector<int> reach;  // along x, for every distance along y
+  for (int dy = 0; squared_gap(dy) < least; ++dy) {
+    int dx = 0;
+    while (squared_gap(dx + 1) + squared_gap(dy) < least) ++dx;
+    reach.push_back(dx);
+  }
+  OccupancyGrid result = grid;
+  for (int y = 0; y < grid.height(); ++y) {
+    grid.for_each_run(y, false, [&](int first, int last) {
+      for (int dy = 0; dy < static_cast<int>(reach.size()); ++dy) {
+        const int dx = reach[static_cast<std::size_t>(dy)];
+        result.set_run(y + dy, first - dx, last + dx, false);
+        result.set_run(y - dy, first - dx, last + dx, false);
+      }
+    });
+  }
+  return result;
+}
+
+}  // namespace tutavia

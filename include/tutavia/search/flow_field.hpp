@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tutavia/search/wave_search.hpp"
+
+/// \file
+/// FlowField: the way to the nearest goal from everywhere.
+
+namespace tutavia {
+
+/// The cost and the first step of a cheapest path from every cell of a grid to the nearest of some
+/// goals, by Dijkstra's algorithm over the whole map; 8 bytes per cell. Paths are the same as
+/// Dijkstra's in length. Immutable once built, and independent of the space it was built for,
+/// except that `path` wants that space.
+class FlowField {
+ public:
+  /// Errors: those of a query for the goals (no goals: `invalid_input`); what the budget says.
+  template <GridSpace S>
+  static Expected<FlowField, Failure> build(const S& space, std::span<const Point> goals,
+                                            const Budget& budget = {}) {
+    if (goals.empty()) return fail(PlanError::invalid_input, "no goals");
+    FlowField field;
+    std::vector<CellLink> seeds;
+    for (const Point& goal : goals) {
+      if (auto failure = check_endpoint(space, goal, false)) return Unexpected{*failure};
+      const CellLinks links(space.links(goal), Frame(space.frame()).resolution);
+      if (links.size() == 0) {
+        return fail(PlanError::goal_blocked, "a goal has no link to the grid at this resolution");
+      }
+      for (const CellLink& link : links) {
+        seeds.push_back(link);
+        field.ends_.push_back({link, goal});
+      }
+    }
+    NoObserver nobody;
+    GridWaveScratch scratch;
+    GridWave<true, ZeroHeuristic, NoObserver> wave(space.grid(), space.movement(), space.frame(),
+                                                   ZeroHeuristic{}, seeds, scratch, nobody);
+    typename decltype(wave)::Popped popped;
+    while (wave.pop(std::numeric_limits<Cost>::max(), popped)) {
+      if (auto failure = detail::exceeded(budget, wave.expanded())) return Unexpected{*failure};
+      wave.expand(popped);
+    }
+    field.stats_.expanded = wave.expanded();
+    field.stats_.generated = wave.generated();
+    field.labels_ = std::move(scratch.labels);
+    return field;
+  }
+
+  /// Whether a goal can be reached from a cell. \pre the cell lies in the grid of the space
+  template <GridSpace S>
+  bool reached(const S& space, Cell cell) const {
+    return labels_.view().reached(space.grid().index(cell));
+  }
+  /// Length of the shortest path from a cell's reference point to the nearest goal [m]; infinity
+  /// where there is none. \pre the cell lies in the grid of the space
+  template <GridSpace S>
+  double cost(const S& space, Cell cell) const {
+    if (!reached(space, cell)) return std::numeric_limits<double>::infinity();
+    return static_cast<double>(labels_.view().g(space.grid().index(cell))) *
+           Frame(space.frame()).resolution / static_cast<double>(straight_cost);
+  }
+
+  /// The path from a point to the nearest goal. Errors as for a query.
+  template <GridSpace S>
+  Expected<Route, Failure> path(const S& space, const Point& start) const {
+    if (auto failure = check_endpoint(space, start, true)) return Unexpected{*failure};
+    const Frame frame = space.frame();
+    const GridLabels::View labels = labels_.view();
+    Cost best = std::numeric_limits<Cost>::max();
+    Cell first;
+    for (const auto& [cell, cost] : CellLinks(space.links(start), frame.resolution)) {
+      const std::size_t index = space.grid().index(cell);
+      if (!labels.reached(index) || labels.g(index) + cost >= best) continue;
+      best = labels.g(index) + cost;
+      first = cell;
+    }
+    if (best == std::numeric_limits<Cost>::max()) {
+      return fail(PlanError::unreachable_at_resolution, "no goal can be reached on the grid");
+    }
+    std::vector<Cell> cells;
+    detail::trace(space.grid(), labels, first, cells);
+    const Point* goal = nullptr;
+    Cost exit = std::numeric_limits<Cost>::max();
+    for (const auto& [link, point] : ends_) {
+      if (link.cell == cells.back() && link.cost < exit) goal = &point, exit = link.cost;
+    }
+    Route route;
+    Point previous = start;
+    const auto go = [&](const Point& p) {
+      if (p == previous) return;
+      route.curve.push_back(Segment{previous, p});
+      previous = p;
+    };
+    for (const Cell cell : cells) go(frame.point(cell));
+    go(*goal);
+    if (route.curve.empty()) route.curve.push_back(Segment{start, *goal});
+    route.cost = route.curve.length();
+    return route;
+  }
+
+  /// Of the cells from which a goal can be reached, the one nearest to `p`; nothing when there is
+  /// none. With the start for a goal: how near to `p` one can get.
+  template <GridSpace S>
+  std::optional<Cell> nearest_reached(const S& space, const Point& p) const {
+    std::optional<Cell> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int y = 0; y < space.grid().height(); ++y) {
+      for (int x = 0; x < space.grid().width(); ++x) {
+        if (!reached(space, {x, y})) continue;
+        const double gap = distance(Frame(space.frame()).point({x, y}), p);
+        if (gap < least) best = Cell{x, y}, least = gap;
+      }
+    }
+    return best;
+  }
+
+  const Statistics& stats() const { return stats_; }
+
+ private:
+  struct End {
+    CellLink link;
+    Point goal;
+  };
+
+  FlowField() = default;
+
+  GridLabels labels_;
+  std::vector<End> ends_;
+  Statistics stats_;
+};
+
+}  // namespace tutavia

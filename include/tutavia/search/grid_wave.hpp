@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "tutavia/core/statistics.hpp"
+#include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/grid/successors.hpp"
+#include "tutavia/search/bucket_queue.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/grid_labels.hpp"
+#include "tutavia/search/linked_query.hpp"
+#include "tutavia/world/frame.hpp"
+
+/// \file
+/// GridWave: best-first search over the cells of a grid, as fast as it gets.
+
+namespace tutavia {
+
+/// Memory of one wave; kept from query to query.
+struct GridWaveScratch {
+  GridLabels labels;
+  Buckets buckets;
+};
+
+/// The heuristic of Dijkstra's algorithm.
+struct ZeroHeuristic {
+  /// Buckets narrower than a straight step: no cell is expanded twice.
+  static constexpr int bucket_shift = 13;
+  Cost operator()(Cell) const { return 0; }
+};
+
+/// Octile distance to a cell, plus `offset` (see LinkedQuery); consistent.
+struct OctileHeuristic {
+  /// A step raises f by no more than two diagonals, and so stays within 63 buckets.
+  static constexpr int bucket_shift = 10;
+  Cell goal{};
+  Cost offset = 0;
+  Cost operator()(Cell cell) const { return std::max(Cost{0}, octile_cost(cell, goal) + offset); }
+};
+
+/// One wave of expansions from a set of first cells, least f = g + h first. A* is one wave, and so
+/// is Dijkstra's algorithm; bidirectional search is two.
+///
+/// `Canonical` waves follow only the successors of the canonical table, which reach every cell by a
+/// path as cheap.
+template <bool Canonical, class Heuristic, Observer O>
+class GridWave {
+ public:
+  /// A cell taken from the open list; its label is up to date.
+  struct Popped {
+    std::uint32_t index;
+    Cell cell;
+    Cost g;
+    Cost f;
+  };
+
+  /// Begins at cells that are reached from outside the grid, each at a cost.
+  GridWave(const OccupancyGrid& grid, MovementRule rule, const Frame& frame,
+           const Heuristic& heuristic, std::span<const CellLink> seeds, GridWaveScratch& scratch,
+           O& observer)
+      : grid_(grid.view()),
+        tables_(Canonical ? canonical_table(rule).data() : &all_successors(rule)),
+        frame_(frame),
+        heuristic_(heuristic),
+        labels_(scratch.labels.begin(grid.index_count())),
+        open_(scratch.buckets, least_f(heuristic, seeds)),
+        observer_(observer) {
+    for (std::size_t step = 0; step < steps.size(); ++step) {
+      offsets_[step] = static_cast<std::uint32_t>(grid.index(steps[step]) - grid.index({0, 0}));
+    }
+    for (const auto& [cell, cost] : seeds) {
+      reach(static_cast<std::uint32_t>(grid_.index(cell)), cell, cost, no_step);
+    }
+  }
+
+  /// Takes the next cell with f < limit; nothing when there is none.
+  bool pop(Cost limit, Popped& out) {
+    while (!open_.empty()) {
+      const Cost bucket = open_.advance();
+      if (bucket >= limit) return false;
+      const BucketEntry entry = open_.pop();
+      // Keys in a bucket share all but their low bits.
+      const Cost f = bucket + static_cast<Cost>((entry.key - static_cast<std::uint32_t>(bucket)));
+      if (f >= limit) continue;
+      const Cell cell = grid_.cell(entry.node);
+      const Cost g = labels_.g(entry.node);
+      if (g + heuristic_(cell) != f) continue;  // a better way has overtaken it
+      out = {entry.node, cell, g, f};
+      return true;
+    }
+    return false;
+  }
+
+  void expand(const Popped& from) {
+    ++expanded_;
+    if constexpr (!std::same_as<O, NoObserver>) observer_.expanded(frame_.point(from.cell));
+    const std::size_t arrival = labels_.arrival(from.index);
+    unsigned left = tables_[Canonical ? arrival : 0][grid_.neighbourhood(from.index)];
+    if (!Canonical && arrival != no_step) left &= ~(1u << opposite(arrival));  // the parent
+    while (left != 0) {
+      const auto step = static_cast<unsigned>(std::countr_zero(left));
+      left &= left - 1;
+      reach(from.index + offsets_[step], from.cell + steps[step], from.g + step_cost(step), step);
+    }
+  }
+
+  const GridLabels::View& labels() const { return labels_; }
+  std::uint64_t expanded() const { return expanded_; }
+  std::uint64_t generated() const { return generated_; }
+  /// Cells labelled and not yet expanded, about.
+  std::uint64_t open_cells() const { return generated_ - expanded_; }
+
+ private:
+  static Cost least_f(const Heuristic& heuristic, std::span<const CellLink> seeds) {
+    Cost least = std::numeric_limits<Cost>::max();
+    for (const auto& [cell, cost] : seeds) least = std::min(least, cost + heuristic(cell));
+    return least;
+  }
+
+  void reach(std::uint32_t index, Cell cell, Cost g, std::size_t step) {
+    if (!labels_.improve(index, g, step)) return;
+    ++generated_;
+    if constexpr (!std::same_as<O, NoObserver>) observer_.generated(frame_.point(cell));
+    if (step != no_step) labels_.prefetch(index + offsets_[step]);  // likely to be next
+    open_.push(index, g + heuristic_(cell));
+  }
+
+  OccupancyGrid::View grid_;
+  const SuccessorTable* tables_;  // by the step of arrival; not canonical: one for all
+  const Frame& frame_;
+  Heuristic heuristic_;
+  GridLabels::View labels_;
+  BucketQueue<Heuristic::bucket_shift> open_;
+  O& observer_;
+  std::uint64_t expanded_ = 0;
+  std::uint64_t generated_ = 0;
+  std::array<std::uint32_t, 8> offsets_{};
+};
+
+}  // namespace tutavia

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "tutavia/grid/movement.hpp"
+
+/// \file
+/// JumpQueue: an open list for keys that rise by any amount.
+
+namespace tutavia {
+
+/// A monotone priority queue of 4096 circular buckets with two levels of occupancy words, and a
+/// list of what lies beyond them. Keys within one bucket come last in, first out; buckets are
+/// narrow, so few nodes are taken out of order and have to be re-opened. Nothing is freed between
+/// queries.
+class JumpQueue {
+ public:
+  struct Entry {
+    Cost key;
+    std::uint32_t node;
+    std::uint32_t next;  // in the same bucket
+  };
+
+  /// Empties the queue; no key will be less than `least`.
+  void begin(Cost least) {
+    pool_.clear();
+    beyond_.clear();
+    occupied_.fill(0);
+    words_ = 0;
+    current_ = least >> shift;
+    least_beyond_ = std::numeric_limits<Cost>::max();
+  }
+
+  bool empty() const { return words_ == 0 && beyond_.empty(); }
+
+  void push(std::uint32_t node, Cost key) {
+    const Cost bucket = std::max(key >> shift, current_);
+    if (bucket - current_ >= static_cast<Cost>(count)) {
+      beyond_.push_back({key, node, none});
+      least_beyond_ = std::min(least_beyond_, bucket);
+    } else {
+      put(static_cast<std::size_t>(bucket) % count, {key, node, none});
+    }
+  }
+
+  /// A lower bound of all keys; moves on to the first bucket with entries. \pre not empty
+  Cost advance() {
+    Cost first = words_ == 0 ? least_beyond_ : first_in_circle();
+    if (first >= least_beyond_) {
+      take_in();
+      first = first_in_circle();
+    }
+    current_ = first;
+    return current_ << shift;
+  }
+
+  /// Takes an entry from the bucket that `advance` has moved to.
+  Entry pop() {
+    const auto bucket = static_cast<std::size_t>(current_) % count;
+    const Entry entry = pool_[heads_[bucket]];
+    heads_[bucket] = entry.next;
+    if (entry.next == none) {
+      occupied_[bucket / 64] &= ~(std::uint64_t{1} << (bucket % 64));
+      if (occupied_[bucket / 64] == 0) words_ &= ~(std::uint64_t{1} << (bucket / 64));
+    }
+    return entry;
+  }
+
+ private:
+  static constexpr int shift = 10;
+  static constexpr std::size_t count = 4096;
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  void put(std::size_t bucket, Entry entry) {
+    const std::uint64_t bit = std::uint64_t{1} << (bucket % 64);
+    entry.next = (occupied_[bucket / 64] & bit) != 0 ? heads_[bucket] : none;
+    heads_[bucket] = static_cast<std::uint32_t>(pool_.size());
+    pool_.push_back(entry);
+    occupied_[bucket / 64] |= bit;
+    words_ |= std::uint64_t{1} << (bucket / 64);
+  }
+
+  /// The first bucket with entries from the current one on, around the circle. \pre there is one
+  Cost first_in_circle() const {
+    const auto at = static_cast<std::size_t>(current_) % count;
+    const std::uint64_t here = occupied_[at / 64] >> (at % 64);
+    if (here != 0) return current_ + std::countr_zero(here);
+    const std::size_t next = at / 64 + 1;
+    const auto turn = static_cast<int>(next % 64);
+    const std::size_t word =
+        next + static_cast<std::size_t>(std::countr_zero(std::rotr(words_, turn)));
+    const std::size_t bucket =
+        64 * word + static_cast<std::size_t>(std::countr_zero(occupied_[word % 64]));
+    return current_ + static_cast<Cost>(bucket - at);
+  }
+
+  /// Turns the circle to the least bucket beyond it and takes in what then lies within.
+  void take_in() {
+    current_ = least_beyond_;
+    least_beyond_ = std::numeric_limits<Cost>::max();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < beyond_.size(); ++i) {
+      const Entry entry = beyond_[i];
+      const Cost bucket = entry.key >> shift;
+      if (bucket - current_ < static_cast<Cost>(count)) {
+        put(static_cast<std::size_t>(bucket) % count, entry);
+      } else {
+        least_beyond_ = std::min(least_beyond_, bucket);
+        beyond_[kept++] = entry;
+      }
+    }
+    beyond_.resize(kept);
+  }
+
+  std::array<std::uint32_t, count> heads_{};
+  std::array<std::uint64_t, 64> occupied_{};
+  std::uint64_t words_ = 0;  // which words of occupied_ are not 0
+  Cost current_ = 0;         // bucket number
+  std::vector<Entry> pool_;
+  std::vector<Entry> beyond_;
+  Cost least_beyond_ = std::numeric_limits<Cost>::max();  // bucket number
+};
+
+}  // namespace tutavia

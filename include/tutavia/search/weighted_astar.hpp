@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "tutavia/search/grid_graph.hpp"
+#include "tutavia/search/heuristic.hpp"
+
+/// \file
+/// Weighted A*: less search for a bounded loss of length.
+
+namespace tutavia {
+
+/// A* with the octile heuristic times `weight`: the path costs at most `weight` times the cheapest
+/// one. Cells are re-opened when a cheaper way to them is found. Errors: `invalid_option` for a
+/// weight that is less than 1 or more than 1000; else as for AStar.
+/// Source: Pohl 1970, "Heuristic search viewed as path finding in a graph".
+struct WeightedAStar {
+  static constexpr std::string_view name = "weighted_astar";
+  using Scratch = GridGraphScratch;
+
+  double weight = 1.5;
+
+  template <GridSpace S, Observer O = NoObserver>
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  O& observer) const {
+    if (!(weight >= 1 && weight <= 1000)) {
+      return fail(PlanError::invalid_option, "weight must lie between 1 and 1000");
+    }
+    return graph_search(space, query, scratch, observer, PlainPrices{},
+                        [this](const LinkedQuery& linked, Cell cell) {
+                          return static_cast<Cost>(weight * static_cast<double>(estimated_cost(
+                                                                Heuristic::octile, linked, cell)));
+                        });
+  }
+};
+
+}  // namespace tutavia

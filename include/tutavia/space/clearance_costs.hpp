@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+#include "tutavia/grid/cell_costs.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// clearance_costs: a soft wish for distance from obstacles.
+
+namespace tutavia {
+
+/// How much dearer the neighbourhood of obstacles is.
+struct ClearanceCostOptions {
+  double distance = 1;  ///< beyond the safety radius, from here on there is no surcharge [m]
+  double weight = 2;    ///< surcharge at the safety radius, as a multiple of the length; up to 7.96
+};
+
+/// Surcharges that fall linearly from `weight` at the safety radius to 0 at `distance` beyond it.
+/// `invalid_option` for a distance that is not positive or a weight out of range.
+template <class S>
+requires GridSpace<S> && ClearanceSpace<S> Expected<std::shared_ptr<const CellCosts>, Failure>
+clearance_costs(const S& space, const ClearanceCostOptions& options) {
+  if (!(options.distance > 0) || !std::isfinite(options.distance)) {
+    return fail(PlanError::invalid_option, "distance must be positive and finite");
+  }
+  if (!(options.weight >= 0 && options.weight <= 255.0 / 32)) {
+    return fail(PlanError::invalid_option, "weight must lie between 0 and 7.96");
+  }
+  auto costs = std::make_shared<CellCosts>(space.grid());
+  for (int y = 0; y < costs->height(); ++y) {
+    for (int x = 0; x < costs->width(); ++x) {
+      const Cell cell{x, y};
+      if (!space.grid().is_free(cell)) continue;
+      const Point p = space.frame().point(cell);
+      const double cap = space.safety_radius() + options.distance;
+      const double gap = space.nearest(Segment{p, p}, cap).distance - space.safety_radius();
+      const double share = std::clamp(1 - gap / options.distance, 0.0, 1.0);
+      costs->set(cell, static_cast<std::uint8_t>(std::lround(32 * options.weight * share)));
+    }
+  }
+  return std::shared_ptr<const CellCosts>(std::move(costs));
+}
+
+}  // namespace tutavia

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "tutavia/core/random.hpp"
+#include "tutavia/grid/occupancy_grid.hpp"
+
+/// \file
+/// Random grids with everything that makes searching hard.
+
+namespace tutavia::test {
+
+/// Grids of 1 to `largest` cells a side: noise of 0 to 50 %, blocks, or rooms with doors.
+inline OccupancyGrid random_grid(Random& random, int largest) {
+  const auto upto = [&](int n) { return static_cast<int>(random.below(static_cast<unsigned>(n))); };
+  const int width = 1 + upto(largest), height = 1 + upto(largest);
+  OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
+  for (int y = 0; y < height; ++y) grid.set_run(y, 0, width - 1, true);
+  switch (random.below(3)) {
+    case 0: {
+      const double density = random.uniform(0, 0.5);
+      for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) grid.set({x, y}, random.uniform() >= density);
+      }
+      break;
+    }
+    case 1:
+      for (int i = upto(12); i >= 0; --i) {
+        const int x = upto(width), y = upto(height), w = 1 + upto(6), h = 1 + upto(6);
+        for (int k = 0; k < h; ++k) grid.set_run(y + k, x, x + w - 1, false);
+      }
+      break;
+    default: {
+      const int size = 2 + upto(6);
+      for (int y = size; y < height; y += size + 1) grid.set_run(y, 0, width - 1, false);
+      for (int x = size; x < width; x += size + 1) {
+        for (int y = 0; y < height; ++y) grid.set({x, y}, false);
+      }
+      for (int i = width * height / 8; i > 0; --i) grid.set({upto(width), upto(height)}, true);
+    }
+  }
+  return grid;
+}
+
+/// A free cell (in a corner every now and then), or any cell where none is found soon.
+inline Cell random_cell(Random& random, const OccupancyGrid& grid) {
+  Cell cell{};
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    cell = {static_cast<int>(random.below(static_cast<unsigned>(grid.width()))),
+            static_cast<int>(random.below(static_cast<unsigned>(grid.height())))};
+    if (random.below(8) == 0) cell = {0, 0};
+    if (random.below(8) == 0) cell = {grid.width() - 1, grid.height() - 1};
+    if (grid.is_free(cell)) break;
+  }
+  return cell;
+}
+
+}  // namespace tutavia::test

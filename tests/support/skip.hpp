@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+/// \file
+/// Tests that need what is not there report themselves as skipped.
+
+namespace tutavia::test {
+
+inline constexpr int skip_code = 4;  // as CMakeLists.txt tells ctest
+
+inline bool& any_skipped() {
+  static bool value = false;
+  return value;
+}
+
+/// The folder of MovingAI files, or nullptr; the test is then reported as skipped and has to
+/// return.
+inline const char* moving_ai_folder() {
+  const char* folder = std::getenv("TUTAVIA_MOVINGAI_DIR");
+  if (folder == nullptr) {
+    std::cout << "skipped: TUTAVIA_MOVINGAI_DIR is not set\n";
+    any_skipped() = true;
+  }
+  return folder;
+}
+
+}  // namespace tutavia::test
