@@ -1038,6 +1038,7 @@ TEST_CASE("a point outside the grid has no links") {
   CHECK(space.links({-0.1, 1.5}).empty());
   CHECK(space.links({1.5, 3.1}).empty());
   CHECK(space.links({1e300, -1e300}).empty());
+  CHECK(space.links({2147483647.5, 1.5}).empty());
   CHECK(space.links({nan, 1.5}).empty());
   CHECK(space.links({infinity, 1.5}).empty());
 }

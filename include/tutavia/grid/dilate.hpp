@@ -21,19 +21,19 @@ inline OccupancyGrid dilated(const OccupancyGrid& grid, std::int64_t least) {
   const auto squared_gap = [](std::int64_t cells) {
     return cells == 0 ? 0 : (2 * cells - 1) * (2 * cells - 1);
   };
-  std::vector<int> reach;  // along x, for every distance along y
-  for (int dy = 0; squared_gap(dy) < least; ++dy) {
-    int dx = 0;
-    while (squared_gap(dx + 1) + squared_gap(dy) < least) ++dx;
+  std::vector<int> reach;  // along x, for every distance along y; nothing reaches beyond the grid
+  int dx = grid.width();
+  for (int dy = 0; squared_gap(dy) < least && dy < grid.height(); ++dy) {
+    while (dx > 0 && squared_gap(dx) + squared_gap(dy) >= least) --dx;
     reach.push_back(dx);
   }
   OccupancyGrid result = grid;
   for (int y = 0; y < grid.height(); ++y) {
     grid.for_each_run(y, false, [&](int first, int last) {
       for (int dy = 0; dy < static_cast<int>(reach.size()); ++dy) {
-        const int dx = reach[static_cast<std::size_t>(dy)];
-        result.set_run(y + dy, first - dx, last + dx, false);
-        result.set_run(y - dy, first - dx, last + dx, false);
+        const int wide = reach[static_cast<std::size_t>(dy)];
+        result.set_run(y + dy, first - wide, last + wide, false);
+        result.set_run(y - dy, first - wide, last + wide, false);
       }
     });
   }

@@ -146,12 +146,12 @@ class OccupancyGrid {
   std::size_t index(Cell cell) const { return view().index(cell); }
   Cell cell(std::size_t index) const { return view().cell(index); }
   /// One more than the largest index.
-  std::size_t index_count() const { return bits_.size() * 64; }
+  std::size_t index_count() const { return stride_ * (static_cast<std::size_t>(height_) + 2); }
   /// Difference between the indices of a cell and the one above it.
   std::size_t stride() const { return stride_; }
 
   /// The words of the rows, 64 cells each (1: free); the cell with index i is bit i % 64 of word
-  /// i / 64.
+  /// i / 64. One spare word of zeros follows the last row.
   const std::vector<std::uint64_t>& words() const { return bits_; }
 
   /// Whether a robot may step from a free cell of the grid in direction `step` (an index into
@@ -167,14 +167,14 @@ class OccupancyGrid {
         stride_(words_per_row * 64),
         reciprocal_shift_(26 + static_cast<int>(std::bit_width(words_per_row))),
         reciprocal_(((std::uint64_t{1} << reciprocal_shift_) + words_per_row - 1) / words_per_row),
-        bits_(words_per_row * (static_cast<std::size_t>(height) + 2), 0) {}
+        bits_(words_per_row * (static_cast<std::size_t>(height) + 2) + 1, 0) {}
 
   int width_;
   int height_;
   std::size_t stride_;
   int reciprocal_shift_;
   std::uint64_t reciprocal_;
-  std::vector<std::uint64_t> bits_;  // 1: free
+  std::vector<std::uint64_t> bits_;  // 1: free; with a spare word for loads that begin in the last
 };
 
 }  // namespace tutavia

@@ -135,8 +135,8 @@ class StopPlanes {
   /// Stops towards higher bits and towards lower ones, for lines of `per_line` words.
   static void build(const Words& free, std::size_t per_line, std::size_t lines, Words& up,
                     Words& down) {
-    up.assign(free.size(), ~std::uint64_t{0});
-    down.assign(free.size(), ~std::uint64_t{0});
+    up.assign(lines * per_line, ~std::uint64_t{0});
+    down.assign(lines * per_line, ~std::uint64_t{0});
     for (std::size_t line = 1; line + 1 < lines; ++line) {
       for (std::size_t j = 0; j < per_line; ++j) {
         const std::size_t i = line * per_line + j;

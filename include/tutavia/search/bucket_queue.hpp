@@ -29,7 +29,7 @@ using Buckets = std::array<std::vector<BucketEntry>, 64>;
 ///
 /// Keys within one bucket come last in, first out, so a search has to re-open nodes, unless no
 /// step is cheaper than a bucket is wide. Every key pushed has to lie in the 63 buckets from the
-/// one popped last.
+/// one that `advance` has moved to.
 template <int Shift>
 class BucketQueue {
  public:

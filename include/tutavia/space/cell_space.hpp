@@ -41,10 +41,10 @@ struct CellOptions {
 /// being a closed square; and the grid of those cells whose centres a robot may pass.
 ///
 /// At radius 0 the robot is a point, which may touch blocked cells and slide along them, but not
-/// pass where two of them share an edge,
-/// nor along the border of the map where a blocked cell is. Every step between free cells lies in
-/// free space: under `no_cut` and `four_connected` the centres' clearances are enough for that,
-/// under the other rules a positive radius asks for sqrt(r^2 + resolution^2 / 2) at the centres.
+/// pass where two of them share an edge, nor along the border of the map where a blocked cell is.
+/// Every step between free cells lies in free space: under `no_cut` and `four_connected` the
+/// centres' clearances are enough for that, under the other rules a positive radius asks for
+/// sqrt(r^2 + resolution^2 / 2) at the centres.
 ///
 /// Origin and resolution are rounded (the latter up) to a binary fraction such that the coordinates
 /// of all corners and centres are exact: the origin moves by less than 2^-50 of the largest
@@ -65,6 +65,7 @@ class CellSpace {
   MovementRule movement() const { return layer_.movement(); }
   const StopPlanes& stop_planes() const { return layer_.stop_planes(); }
   Links links(const Point& p) const {
+    if (!bounds_.contains(p)) return {};
     return layer_.links(p, 0,
                         [this](const Point& a, const Point& b) { return segment_free(a, b); });
   }
@@ -83,10 +84,11 @@ class CellSpace {
   /// edges count from the right one counterclockwise.
   template <class P>
   Proximity nearest(const P& piece, double cap) const;
-  /// Whether `p` lies inside the union of the blocked cells.
+  /// Whether `p` lies inside the union of the blocked cells, or on the map's border where a blocked
+  /// cell is.
   bool is_inside(const Point& p) const { return meets_inside({p, p}); }
 
-  /// Calls `visit(edge, 0.0)` for every edge between a blocked cell and a free one in `box`.
+  /// Calls `visit(edge, 0.0)` for every edge of the blocked cells' union in `box`.
   template <class Visit>
   void for_each_feature(const Box& box, Visit visit) const {
     for_each_edge_near(Strip{box}, box.min.y(), box.max.y(), 0,
@@ -176,13 +178,18 @@ inline Expected<CellSpace, Failure> CellSpace::build(OccupancyGrid cells,
   if (!(r >= 0) || !std::isfinite(r)) {
     return fail(PlanError::invalid_option, "safety_radius must be finite and not negative");
   }
+  if (!is_finite(options.origin)) {
+    return fail(PlanError::invalid_option, "origin must be finite");
+  }
   const Point far{options.origin.x() + size * (cells.width() + 1),
                   options.origin.y() + size * (cells.height() + 1)};
   const double magnitude = std::fmax(max_magnitude(options.origin), max_magnitude(far));
+  if (!(magnitude < 0x1p300) || !(size > 0x1p-300)) {
+    return fail(PlanError::invalid_option, "origin and resolution must lie below 2^300 m");
+  }
   // Coordinates become multiples of the quantum, fewer than 2^52 of them.
   const double quantum = std::ldexp(1.0, std::ilogb(magnitude) - 50);
-  if (!is_finite(options.origin) || !(magnitude < 0x1p300) || !(size > 0x1p20 * quantum) ||
-      !(size > 0x1p-300)) {
+  if (!(size > 0x1p20 * quantum)) {
     return fail(PlanError::invalid_option,
                 "origin and resolution must leave room for exact coordinates: the largest is " +
                     std::to_string(magnitude) + " m");

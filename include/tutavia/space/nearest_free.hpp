@@ -89,7 +89,7 @@ void for_each_crossing(const Boundary& first, const Boundary& second, Visit visi
 }  // namespace detail
 
 /// The point of free space nearest to `p`, or nothing where there is no free space within the
-/// bounds.
+/// bounds, or none before some hundred edges are within reach.
 ///
 /// It is `p` itself, or on one boundary of free space next to p, or where two boundaries cross: all
 /// of them within a growing reach are tried, nearest first, and what is returned was tested to be
@@ -124,6 +124,8 @@ std::optional<Point> nearest_free_point(const S& space, const Point& p) {
                 Segment{advance(core.a, side, aside), advance(core.b, side, aside)});
           }
         });
+    constexpr std::size_t most_boundaries = 512;  // their pairs take some milliseconds
+    if (boundaries.size() > most_boundaries) return std::nullopt;
     std::vector<Point> candidates;
     const auto add = [&](const Point& q) {
       const Point inside = bounds.clamp(q);
