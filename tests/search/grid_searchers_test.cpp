@@ -266,7 +266,7 @@ TEST_CASE("a flow field leads to the nearest of many goals") {
 }
 
 TEST_CASE("a path longer than 32 bits of cost units is found exactly") {
-  // One corridor of width 1 that winds through 1024 x 1024 cells: 524,799 steps.
+  // One corridor of width 1 that winds through 1024 x 1024 cells: 524,798 steps.
   constexpr int size = 1024;
   OccupancyGrid maze = OccupancyGrid::blocked(size, size).value();
   for (int y = 0; y < size; y += 2) {
