@@ -339,6 +339,22 @@ TEST_CASE("clearance costs keep paths away from walls") {
   CHECK(space.clearance(far.curve.at(far.curve.length() / 2).position) >= 3);
 }
 
+TEST_CASE("with cell costs the straight segment between points off the grid is no shortcut") {
+  OccupancyGrid hall = OccupancyGrid::blocked(21, 11).value();
+  for (int y = 0; y < 11; ++y) hall.set_run(y, 0, 20, true);
+  const auto space = CellSpace::build(std::move(hall)).value();
+  auto costs = std::make_shared<CellCosts>(space.grid());
+  for (int y = 0; y < 5; ++y) costs->set({10, y}, 255);
+  const Query query{.start = {0.75, 0.5}, .goal = {20.25, 0.5}};
+  Scratches scratch;
+  NoObserver nobody;
+  const auto plain = AStar{}.search(space, query, scratch.astar, nobody).value();
+  CHECK(plain.curve.length() == 19.5);
+  const auto dear = AStar{.costs = costs}.search(space, query, scratch.astar, nobody);
+  check_route(space, query, dear, test::explicit_cost(space, query, costs.get()), 1e-3);
+  CHECK(dear->curve.length() > 19.5);
+}
+
 TEST_CASE("a jump table survives being saved, and refuses another grid and damage") {
   Random random(7);
   const auto space = CellSpace::build(test::random_grid(random, 40)).value();

@@ -58,15 +58,16 @@ struct AStar {
     if (auto failure = detail::check_costs(space, costs)) return Unexpected{std::move(*failure)};
     if (costs != nullptr) {
       return graph_search(space, query, scratch.graph, observer, *costs,
-                          [this](const LinkedQuery& linked, Cell cell) {
-                            return CellCosts::scale * estimated_cost(heuristic, linked, cell);
+                          [this](const LinkedQuery& linked) {
+                            return [estimate = GoalEstimate(heuristic, linked)](Cell cell) {
+                              return CellCosts::scale * estimate(cell);
+                            };
                           });
     }
     if (heuristic != Heuristic::octile) {
-      return graph_search(space, query, scratch.graph, observer, PlainPrices{},
-                          [this](const LinkedQuery& linked, Cell cell) {
-                            return estimated_cost(heuristic, linked, cell);
-                          });
+      return graph_search(
+          space, query, scratch.graph, observer, PlainPrices{},
+          [this](const LinkedQuery& linked) { return GoalEstimate(heuristic, linked); });
     }
     return wave_search<false>(space, query, scratch.wave, observer, [](const LinkedQuery& linked) {
       return OctileHeuristic{linked.goal_cell, linked.goal_offset};

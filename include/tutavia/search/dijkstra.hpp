@@ -27,7 +27,7 @@ struct Dijkstra {
     if (auto failure = detail::check_costs(space, costs)) return Unexpected{std::move(*failure)};
     if (costs != nullptr) {
       return graph_search(space, query, scratch.graph, observer, *costs,
-                          [](const LinkedQuery&, Cell) -> Cost { return 0; });
+                          [](const LinkedQuery&) { return ZeroHeuristic{}; });
     }
     return wave_search<false>(space, query, scratch.wave, observer,
                               [](const LinkedQuery&) { return ZeroHeuristic{}; });

@@ -87,28 +87,31 @@ struct GridGraphScratch {
   std::vector<Cell> cells;
 };
 
-/// Best-first search on a GridGraph. `estimate(linked, cell)` is the estimated price from a cell to
-/// the goal. The route's cost is the price paid, in metres. The straight segment is tried first
-/// where steps have their plain cost.
-template <GridSpace S, class Prices, class Estimate, Observer O>
+/// Best-first search on a GridGraph. `make_estimate(linked)` is a function that estimates the price
+/// from a cell to the goal. The route's cost is the price paid, in metres. The straight segment is
+/// tried first where steps have their plain cost.
+template <GridSpace S, class Prices, class MakeEstimate, Observer O>
 Expected<Route, Failure> graph_search(const S& space, const Query& query, GridGraphScratch& scratch,
-                                      O& observer, const Prices& prices, const Estimate& estimate) {
+                                      O& observer, const Prices& prices,
+                                      const MakeEstimate& make_estimate) {
   std::optional<Cost> paid;
-  auto route =
-      search_grid(space, query, scratch.cells,
-                  [&](const LinkedQuery& linked, std::vector<Cell>& cells,
-                      Statistics& stats) -> std::optional<Failure> {
-                    const GridGraph<S, Prices> graph(space, query, linked, prices);
-                    const auto heuristic = [&](NodeId node) -> Cost {
-                      return node >= graph.source() ? 0 : estimate(linked, graph.cell(node));
-                    };
-                    const auto stopped = best_first(graph, heuristic, scratch.best_first,
-                                                    query.budget, observer, stats);
-                    if (stopped) return Failure{.code = *stopped};
-                    graph.path(scratch.best_first, cells);
-                    paid = scratch.best_first.find(graph.target())->g;
-                    return std::nullopt;
-                  });
+  auto route = search_grid(
+      space, query, scratch.cells,
+      [&](const LinkedQuery& linked, std::vector<Cell>& cells,
+          Statistics& stats) -> std::optional<Failure> {
+        const GridGraph<S, Prices> graph(space, query, linked, prices);
+        const auto estimate = make_estimate(linked);
+        const auto heuristic = [&](NodeId node) -> Cost {
+          return node >= graph.source() ? 0 : estimate(graph.cell(node));
+        };
+        const auto stopped =
+            best_first(graph, heuristic, scratch.best_first, query.budget, observer, stats);
+        if (stopped) return Failure{.code = *stopped};
+        graph.path(scratch.best_first, cells);
+        paid = scratch.best_first.find(graph.target())->g;
+        return std::nullopt;
+      },
+      Prices::scale == 1);
   if (route && paid) {
     route->cost = static_cast<double>(*paid) * Frame(space.frame()).resolution /
                   static_cast<double>(Prices::scale * straight_cost);

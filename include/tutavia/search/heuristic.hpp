@@ -18,12 +18,23 @@ namespace tutavia {
 /// much longer. On four-connected grids all are admissible and Manhattan distance is the strongest.
 enum class Heuristic { octile, euclidean, chebyshev, manhattan };
 
-/// The estimate for a linked goal: distance to the cell nearest to it, plus the least that any of
-/// its links adds to that.
-inline Cost estimated_cost(Heuristic heuristic, const LinkedQuery& linked, Cell from) {
-  const auto distance = [heuristic](Cell a, Cell b) -> Cost {
-    const Cost dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
-    switch (heuristic) {
+/// The estimate for a linked goal, by value: distance to the cell nearest to it, plus the least
+/// that any of its links adds to that, if that is negative.
+class GoalEstimate {
+ public:
+  GoalEstimate(Heuristic heuristic, const LinkedQuery& linked)
+      : heuristic_(heuristic), goal_(linked.goal_cell) {
+    for (const auto& [cell, cost] : linked.goals) {
+      offset_ = std::min(offset_, cost - distance(cell));
+    }
+  }
+
+  Cost operator()(Cell from) const { return std::max(Cost{0}, distance(from) + offset_); }
+
+ private:
+  Cost distance(Cell from) const {
+    const Cost dx = std::abs(from.x - goal_.x), dy = std::abs(from.y - goal_.y);
+    switch (heuristic_) {
       case Heuristic::euclidean:
         return static_cast<Cost>(std::floor(static_cast<double>(straight_cost) *
                                             std::sqrt(static_cast<double>(dx * dx + dy * dy))));
@@ -34,13 +45,12 @@ inline Cost estimated_cost(Heuristic heuristic, const LinkedQuery& linked, Cell 
       case Heuristic::octile:
         break;
     }
-    return octile_cost(a, b);
-  };
-  Cost offset = 0;
-  for (const auto& [cell, cost] : linked.goals) {
-    offset = std::min(offset, cost - distance(cell, linked.goal_cell));
+    return octile_cost(from, goal_);
   }
-  return std::max(Cost{0}, distance(from, linked.goal_cell) + offset);
-}
+
+  Heuristic heuristic_;
+  Cell goal_;
+  Cost offset_ = 0;
+};
 
 }  // namespace tutavia

@@ -55,10 +55,9 @@ struct PenaltyAStar {
             Statistics& stats) -> std::optional<Failure> {
           const HeadingGraph<S> graph{
               space, query, linked, space.grid().view(), all_successors(space.movement()), eighth};
+          const GoalEstimate estimate(Heuristic::octile, linked);
           const auto heuristic = [&](NodeId node) -> Cost {
-            return node >= graph.source()
-                       ? 0
-                       : estimated_cost(Heuristic::octile, linked, graph.cell(node));
+            return node >= graph.source() ? 0 : estimate(graph.cell(node));
           };
           const auto stopped =
               best_first(graph, heuristic, scratch.best_first, query.budget, observer, stats);

@@ -27,11 +27,12 @@ struct WeightedAStar {
     if (!(weight >= 1 && weight <= 1000)) {
       return fail(PlanError::invalid_option, "weight must lie between 1 and 1000");
     }
-    return graph_search(space, query, scratch, observer, PlainPrices{},
-                        [this](const LinkedQuery& linked, Cell cell) {
-                          return static_cast<Cost>(weight * static_cast<double>(estimated_cost(
-                                                                Heuristic::octile, linked, cell)));
-                        });
+    return graph_search(
+        space, query, scratch, observer, PlainPrices{}, [this](const LinkedQuery& linked) {
+          return [w = weight, estimate = GoalEstimate(Heuristic::octile, linked)](Cell cell) {
+            return static_cast<Cost>(w * static_cast<double>(estimate(cell)));
+          };
+        });
   }
 };
 
