@@ -7,20 +7,13 @@
 #include <limits>
 
 #include "support/catch.hpp"
+#include "support/random_grids.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
 
 namespace {
 
 using namespace tutavia;
-
-OccupancyGrid random_grid(Random& random, int width, int height, double density) {
-  OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) grid.set({x, y}, random.uniform() >= density);
-  }
-  return grid;
-}
 
 /// The squared distance from the centre of a cell to the nearest blocked square, half a cell being
 /// the unit: centres are odd, corners even.
@@ -60,7 +53,7 @@ TEST_CASE("cells are free where their centres are far enough from all blocked sq
     const int width = static_cast<int>(random.below(12)) + (wide ? 57 : 1);
     const int height = 1 + static_cast<int>(random.below(12));
     const double density = wide ? 0.01 : random.uniform() * random.uniform();
-    const OccupancyGrid grid = random_grid(random, width, height, density);
+    const OccupancyGrid grid = test::noise_grid(random, width, height, density);
     const auto least = static_cast<std::int64_t>(random.below(wide ? 2000 : 120));
     INFO("seed " << seed << ", round " << round << ", " << width << " x " << height << ", least "
                  << least);
@@ -87,11 +80,11 @@ TEST_CASE("every distance up to several cells takes just the cells that are near
 TEST_CASE("no distance changes nothing, and a distance beyond the grid leaves no free cell",
           "[grid]") {
   Random random(2);
-  const OccupancyGrid grid = random_grid(random, 70, 9, 0.02);
+  const OccupancyGrid grid = test::noise_grid(random, 70, 9, 0.02);
   CHECK(dilated(grid, 0).words() == grid.words());
   CHECK(dilated(grid, 1).words() == grid.words());
   CHECK(dilated(grid, 20000).count_free() == 0);
-  const OccupancyGrid open = random_grid(random, 70, 9, 0);
+  const OccupancyGrid open = test::noise_grid(random, 70, 9, 0);
   CHECK(dilated(open, 20000).words() == open.words());
   CHECK(dilated(OccupancyGrid(), 5).count_free() == 0);
 }

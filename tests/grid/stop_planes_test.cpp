@@ -6,20 +6,13 @@
 #include <cstdint>
 
 #include "support/catch.hpp"
+#include "support/random_grids.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
 
 namespace {
 
 using namespace tutavia;
-
-OccupancyGrid random_grid(Random& random, int width, int height, double density) {
-  OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) grid.set({x, y}, random.uniform() >= density);
-  }
-  return grid;
-}
 
 bool is_free(const OccupancyGrid& grid, Cell cell) {
   return grid.contains(cell) && grid.is_free(cell);
@@ -86,8 +79,8 @@ TEST_CASE("a jump goes as far as a walk that looks at every cell", "[grid]") {
       const double density = densities[random.below(std::size(densities))];
       INFO("seed " << seed << ", round " << round << ", " << width << " x " << height
                    << ", density " << density);
-      check_all_jumps(random_grid(random, width, height, density));
-      check_all_jumps(random_grid(random, height, width, density));
+      check_all_jumps(test::noise_grid(random, width, height, density));
+      check_all_jumps(test::noise_grid(random, height, width, density));
     }
   }
 }
@@ -97,7 +90,7 @@ TEST_CASE("in the open a jump ends at the border of the grid", "[grid]") {
   for (const int width : {1, 63, 64, 65, 1000}) {
     for (const int height : {1, 62, 128, 300}) {
       CAPTURE(width, height);
-      const StopPlanes planes(random_grid(random, width, height, 0));
+      const StopPlanes planes(test::noise_grid(random, width, height, 0));
       const Cell cell{width / 3, height / 2};
       CHECK(jump(planes, cell, 0) == width - cell.x);
       CHECK(jump(planes, cell, 2) == height - cell.y);
@@ -109,7 +102,7 @@ TEST_CASE("in the open a jump ends at the border of the grid", "[grid]") {
 
 TEST_CASE("a jump stops one cell past a corner, where its side opens", "[grid]") {
   Random random(0);
-  OccupancyGrid grid = random_grid(random, 9, 9, 0);
+  OccupancyGrid grid = test::noise_grid(random, 9, 9, 0);
   grid.set({4, 4}, false);
   const StopPlanes planes(grid);
   for (const int aside : {-1, 1}) {

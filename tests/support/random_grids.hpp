@@ -11,6 +11,15 @@
 
 namespace tutavia::test {
 
+/// A grid whose cells are blocked with probability `density`.
+inline OccupancyGrid noise_grid(Random& random, int width, int height, double density) {
+  OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) grid.set({x, y}, random.uniform() >= density);
+  }
+  return grid;
+}
+
 /// Grids of 1 to `largest` cells a side: noise of 0 to 50 %, blocks, or rooms with doors.
 inline OccupancyGrid random_grid(Random& random, int largest) {
   const auto upto = [&](int n) { return static_cast<int>(random.below(static_cast<unsigned>(n))); };
@@ -18,13 +27,8 @@ inline OccupancyGrid random_grid(Random& random, int largest) {
   OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
   for (int y = 0; y < height; ++y) grid.set_run(y, 0, width - 1, true);
   switch (random.below(3)) {
-    case 0: {
-      const double density = random.uniform(0, 0.5);
-      for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) grid.set({x, y}, random.uniform() >= density);
-      }
-      break;
-    }
+    case 0:
+      return noise_grid(random, width, height, random.uniform(0, 0.5));
     case 1:
       for (int i = upto(12); i >= 0; --i) {
         const int x = upto(width), y = upto(height), w = 1 + upto(6), h = 1 + upto(6);
