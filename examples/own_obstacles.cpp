@@ -7,8 +7,8 @@
 int main() {
   using namespace tutavia;
   Workspace workspace{.bounds = {{0, 0}, {10, 6}}, .safety_radius = 0.4};
-  workspace.obstacles.push_back(Disc{.center = {3, 3.4}, .radius = 1});
-  workspace.obstacles.push_back(Polygon{{{5, 0}, {6, 0}, {6, 4}, {5, 3}}});
+  workspace.obstacles.emplace_back(Disc{.center = {3, 3.4}, .radius = 1});
+  workspace.obstacles.emplace_back(Polygon{{{5, 0}, {6, 0}, {6, 4}, {5, 3}}});
   const auto space = LatticeSpace::build(workspace, {.resolution = 0.1});
   if (!space) {
     std::cerr << space.error() << '\n';

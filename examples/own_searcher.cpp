@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A searcher of one's own: tries random points to go round by. The planner proves what it finds.
 
+#include <array>
 #include <iostream>
 #include <tutavia/tutavia.hpp>
 
@@ -15,13 +16,13 @@ struct ViaPoint {
                                                              O& observer) const {
     if (auto failure = tutavia::check_query(space, query)) return tutavia::Unexpected{*failure};
     tutavia::Random random(query.seed);
-    const tutavia::Box box = space.bounds();
+    const tutavia::Box& box = space.bounds();
     for (int i = 0; i < tries; ++i) {
       const tutavia::Point via{random.uniform(box.min.x(), box.max.x()),
                                random.uniform(box.min.y(), box.max.y())};
       observer.generated(via);
       if (!space.segment_free(query.start, via) || !space.segment_free(via, query.goal)) continue;
-      const tutavia::Point points[] = {query.start, via, query.goal};
+      const std::array points{query.start, via, query.goal};
       const auto curve = tutavia::Curve::polyline(points);
       return tutavia::Route{.curve = curve, .cost = curve.length()};
     }

@@ -30,7 +30,7 @@ void check_against_model(std::uint64_t seed, Cost least, std::size_t rounds) {
     Cost from = least / width * width;  // the bucket popped last begins here
     std::uint32_t node = 0;
     const auto push = [&](Cost key) {
-      queue.push(node, key);
+      queue.push(key, node, static_cast<std::uint32_t>(key));
       model.emplace(key, node++);
     };
     push(least);
@@ -40,7 +40,7 @@ void check_against_model(std::uint64_t seed, Cost least, std::size_t rounds) {
       const Cost first = model.begin()->first;
       if (bound > first || queue.advance() != bound) ++wrong;
       const BucketEntry entry = queue.pop();
-      const Cost key = bound + static_cast<Cost>(entry.key - static_cast<std::uint32_t>(bound));
+      const Cost key = bound + static_cast<Cost>(entry.note - static_cast<std::uint32_t>(bound));
       if (key - first >= width || bound + width <= first) ++wrong;
       const auto [begin, end] = model.equal_range(key);
       const auto known =
@@ -76,16 +76,16 @@ TEST_CASE("what was left in the buckets is gone when a queue begins", "[search]"
   Buckets buckets;
   {
     BucketQueue<10> queue(buckets, 0);
-    for (std::uint32_t i = 0; i < 63; ++i) queue.push(i, Cost{1024} * i);
+    for (std::uint32_t i = 0; i < 63; ++i) queue.push(Cost{1024} * i, i, 0);
     CHECK_FALSE(queue.empty());
   }
   BucketQueue<10> queue(buckets, 5000);
   CHECK(queue.empty());
-  queue.push(7, 5000 + 62 * 1024);
+  queue.push(5000 + 62 * 1024, 7, 11);
   CHECK(queue.advance() == (5000 + 62 * 1024) / 1024 * 1024);
   const BucketEntry entry = queue.pop();
   CHECK(entry.node == 7);
-  CHECK(entry.key == 5000 + 62 * 1024);
+  CHECK(entry.note == 11);
   CHECK(queue.empty());
 }
 
@@ -93,10 +93,11 @@ TEST_CASE("the 63 buckets from the one popped last are kept apart", "[search]") 
   for (Cost start = 0; start < 70; ++start) {
     Buckets buckets;
     BucketQueue<4> queue(buckets, 16 * start);
-    queue.push(0, 16 * start);
+    queue.push(16 * start, 0, 0);
     queue.advance();
     queue.pop();
-    for (Cost i = 62; i >= 0; --i) queue.push(static_cast<std::uint32_t>(i), 16 * (start + i) + 3);
+    for (Cost i = 62; i >= 0; --i)
+      queue.push(16 * (start + i) + 3, static_cast<std::uint32_t>(i), 0);
     std::size_t wrong = 0;
     for (std::uint32_t i = 0; i < 63; ++i) {
       if (queue.empty() || queue.advance() != 16 * (start + i) || queue.pop().node != i) ++wrong;

@@ -14,6 +14,10 @@ namespace {
 
 using namespace tutavia;
 
+bool improve(const GridLabels::View& labels, std::size_t cell, Cost g, std::size_t step) {
+  return labels.improve(cell, labels.words().word(g, step));
+}
+
 // What a path over all cells of the largest grid costs.
 constexpr std::uint64_t largest =
     (std::uint64_t{1} << 32) * static_cast<std::uint64_t>(diagonal_cost);
@@ -37,7 +41,7 @@ TEST_CASE("grid labels are what a map would hold, over more queries than their c
       const std::size_t step = random.below(no_step + 1);
       const auto known = model.find(cell);
       const bool better = known == model.end() || g < known->second.first;
-      if (view.improve(cell, g, step) != better) ++wrong;
+      if (improve(view, cell, g, step) != better) ++wrong;
       if (better) model[cell] = {g, step};
     }
     for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -56,8 +60,8 @@ TEST_CASE("grid labels are what a map would hold, over more queries than their c
 
 TEST_CASE("the labels of the query begun last can be read later", "[search]") {
   GridLabels labels;
-  labels.begin(4).improve(2, 30, 1);
-  labels.begin(4).improve(3, 50, 5);
+  improve(labels.begin(4), 2, 30, 1);
+  improve(labels.begin(4), 3, 50, 5);
   const GridLabels::View view = labels.view();
   CHECK(view.reached(3));
   CHECK(view.g(3) == 50);
@@ -71,7 +75,7 @@ TEST_CASE("one label is kept for 8191 queries and none is seen in a later one", 
     const GridLabels::View view = labels.begin(3);
     if (view.reached(0) || view.reached(1) || view.reached(2)) FAIL("query " << query);
     // The best label there is, in every query: a stale one would win.
-    if (!view.improve(1, 0, no_step) || view.improve(1, 0, 0)) FAIL("query " << query);
+    if (!improve(view, 1, 0, no_step) || improve(view, 1, 0, 0)) FAIL("query " << query);
     if (!view.reached(1) || view.g(1) != 0 || view.arrival(1) != no_step) FAIL("query " << query);
   }
 }
@@ -83,8 +87,8 @@ TEST_CASE("the dearest path there is has a label, and any better one beats it", 
     const auto dearest = static_cast<Cost>(largest);
     for (const Cost g : {dearest, dearest - 1, Cost{1} << 40, Cost{1}, Cost{0}}) {
       CAPTURE(query, g);
-      CHECK(view.improve(0, g, 7));
-      CHECK_FALSE(view.improve(0, g, 0));
+      CHECK(improve(view, 0, g, 7));
+      CHECK_FALSE(improve(view, 0, g, 0));
       CHECK(view.reached(0));
       CHECK(view.g(0) == g);
       CHECK(view.arrival(0) == 7);

@@ -355,28 +355,6 @@ TEST_CASE("with cell costs the straight segment between points off the grid is n
   CHECK(dear->curve.length() > 19.5);
 }
 
-TEST_CASE("a jump table survives being saved, and refuses another grid and damage") {
-  Random random(7);
-  const auto space = CellSpace::build(test::random_grid(random, 40)).value();
-  const auto table = JpsPlus::prepare(space).value();
-  const std::string bytes = table->to_bytes();
-  const auto loaded = JumpTable::from_bytes(bytes, space.grid());
-  REQUIRE(loaded);
-  CHECK(loaded->to_bytes() == bytes);
-  CHECK(loaded->matches(space.grid()));
-  for (const unsigned threads : {2u, 3u, 7u}) {
-    CHECK(JpsPlus::prepare(space, threads).value()->to_bytes() == bytes);
-  }
-  CHECK_FALSE(JumpTable::from_bytes(bytes.substr(0, bytes.size() - 1), space.grid()));
-  CHECK_FALSE(JumpTable::from_bytes("", space.grid()));
-  OccupancyGrid other = space.grid();
-  other.set({0, 0}, !other.is_free(Cell{0, 0}));
-  CHECK_FALSE(JumpTable::from_bytes(bytes, other));
-  std::string damaged = bytes;
-  damaged[damaged.size() - 1] = 0x7F;
-  CHECK_FALSE(JumpTable::from_bytes(damaged, space.grid()));
-}
-
 TEST_CASE("every length of the MovingAI scenarios comes out") {
   const char* folder = test::moving_ai_folder();
   if (folder == nullptr) return;

@@ -20,6 +20,16 @@ struct Way {
   std::uint32_t parent;
 };
 
+bool improve(JumpLabels& labels, std::uint32_t cell, Cost g, std::size_t arrival,
+             std::uint32_t parent) {
+  return labels.improve(cell, labels.words().word(g, arrival), parent);
+}
+Cost g(JumpLabels& labels, std::uint32_t cell) { return labels.words().g(labels[cell].word); }
+std::size_t arrival(JumpLabels& labels, std::uint32_t cell) {
+  return LabelWords::arrival(labels[cell].word);
+}
+std::uint32_t parent(JumpLabels& labels, std::uint32_t cell) { return labels[cell].parent; }
+
 TEST_CASE("jump labels are what a map would hold, and those of earlier queries never count",
           "[search]") {
   const std::uint64_t seed = 1;
@@ -43,14 +53,14 @@ TEST_CASE("jump labels are what a map would hold, and those of earlier queries n
                     static_cast<std::uint32_t>(random())};
       const auto known = model.find(cell);
       const bool better = known == model.end() || way.g < known->second.g;
-      if (labels.improve(cell, way.g, way.arrival, way.parent) != better) ++wrong;
+      if (improve(labels, cell, way.g, way.arrival, way.parent) != better) ++wrong;
       if (better) model[cell] = way;
       const Way& best = model[cell];
-      if (labels.g(cell) != best.g || labels.parent(cell) != best.parent) ++wrong;
+      if (g(labels, cell) != best.g || parent(labels, cell) != best.parent) ++wrong;
     }
     for (const auto& [cell, way] : model) {
-      if (labels.g(cell) != way.g || labels.arrival(cell) != way.arrival ||
-          labels.parent(cell) != way.parent) {
+      if (g(labels, cell) != way.g || arrival(labels, cell) != way.arrival ||
+          parent(labels, cell) != way.parent) {
         ++wrong;
       }
     }
@@ -63,10 +73,10 @@ TEST_CASE("jump labels are what a map would hold, and those of earlier queries n
 TEST_CASE("jump labels grow with what is noted, and keep their memory", "[search]") {
   JumpLabels labels;
   labels.begin();
-  labels.improve(1, 1, 1, 1);
+  improve(labels, 1, 1, 1, 1);
   const std::size_t small = labels.memory();
   for (std::uint32_t cell = 0; cell < 100000; ++cell) {
-    labels.improve(cell, 2 * Cost{cell} + 1, 3, cell / 2);
+    improve(labels, cell, 2 * Cost{cell} + 1, 3, cell / 2);
   }
   CHECK(labels.size() == 100000);
   const std::size_t large = labels.memory();
@@ -74,14 +84,14 @@ TEST_CASE("jump labels grow with what is noted, and keep their memory", "[search
   CHECK(large <= 4 * 100000 * sizeof(JumpLabels::Label));
   std::size_t wrong = 0;
   for (std::uint32_t cell = 0; cell < 100000; ++cell) {
-    const Cost g = cell == 1 ? 1 : 2 * Cost{cell} + 1;
-    if (labels.g(cell) != g || labels.parent(cell) != (cell == 1 ? 1 : cell / 2)) ++wrong;
+    const Cost expected = cell == 1 ? 1 : 2 * Cost{cell} + 1;
+    if (g(labels, cell) != expected || parent(labels, cell) != (cell == 1 ? 1 : cell / 2)) ++wrong;
   }
   CHECK(wrong == 0);
   labels.begin();
   CHECK(labels.memory() == large);
-  CHECK(labels.improve(5, 1000000, 1, 5));  // worse than before, but that was another query
-  CHECK(labels.g(5) == 1000000);
+  CHECK(improve(labels, 5, 1000000, 1, 5));  // worse than before, but that was another query
+  CHECK(g(labels, 5) == 1000000);
   CHECK(labels.size() == 1);
 }
 
@@ -91,8 +101,8 @@ TEST_CASE("no jump label lives on, over more queries than are counted", "[search
     labels.begin();
     // The best labels there are, of cells that come again in some later query.
     for (const std::uint32_t cell : {query % 7, 100 + query % 8191, 9000u}) {
-      if (!labels.improve(cell, 0, no_step, query) || labels.improve(cell, 0, 0, 0) ||
-          labels.parent(cell) != query || labels.arrival(cell) != no_step) {
+      if (!improve(labels, cell, 0, no_step, query) || improve(labels, cell, 0, 0, 0) ||
+          parent(labels, cell) != query || arrival(labels, cell) != no_step) {
         FAIL("query " << query << ", cell " << cell);
       }
     }
@@ -103,13 +113,13 @@ TEST_CASE("no jump label lives on, over more queries than are counted", "[search
 TEST_CASE("of equal ways to a cell the first is kept", "[search]") {
   JumpLabels labels;
   labels.begin();
-  CHECK(labels.improve(9, 100, 2, 8));
-  CHECK_FALSE(labels.improve(9, 100, 4, 10));
-  CHECK_FALSE(labels.improve(9, 101, 4, 10));
-  CHECK(labels.arrival(9) == 2);
-  CHECK(labels.improve(9, 99, 6, 11));
-  CHECK(labels.arrival(9) == 6);
-  CHECK(labels.parent(9) == 11);
+  CHECK(improve(labels, 9, 100, 2, 8));
+  CHECK_FALSE(improve(labels, 9, 100, 4, 10));
+  CHECK_FALSE(improve(labels, 9, 101, 4, 10));
+  CHECK(arrival(labels, 9) == 2);
+  CHECK(improve(labels, 9, 99, 6, 11));
+  CHECK(arrival(labels, 9) == 6);
+  CHECK(parent(labels, 9) == 11);
   CHECK(labels.size() == 1);
 }
 

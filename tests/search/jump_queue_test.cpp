@@ -14,7 +14,7 @@ namespace {
 
 using namespace tutavia;
 
-constexpr Cost width = 1024;           // of a bucket
+constexpr Cost width = JumpQueue::width;
 constexpr Cost circle = 4096 * width;  // what all buckets hold
 
 /// Takes one entry and compares it with the model; the key, or -1 where they differ.
@@ -23,12 +23,14 @@ Cost pop(JumpQueue& queue, std::multimap<Cost, std::uint32_t>& model) {
   const Cost bound = queue.advance();
   const Cost first = model.begin()->first;
   const JumpQueue::Entry entry = queue.pop();
-  const auto [begin, end] = model.equal_range(entry.key);
+  // The note holds the low bits of the key.
+  const Cost key = bound + static_cast<Cost>(entry.note - static_cast<std::uint32_t>(bound));
+  const auto [begin, end] = model.equal_range(key);
   const auto known =
       std::find_if(begin, end, [&](const auto& e) { return e.second == entry.node; });
-  if (known == end || bound > first || entry.key - first >= width) return -1;
+  if (known == end || bound > first || key - first >= width) return -1;
   model.erase(known);
-  return queue.empty() == model.empty() ? entry.key : -1;
+  return queue.empty() == model.empty() ? key : -1;
 }
 
 TEST_CASE("a jump queue gives a key less than one bucket above the least, however far keys reach",
@@ -54,7 +56,7 @@ TEST_CASE("a jump queue gives a key less than one bucket above the least, howeve
           from + (random.below(3) == 0
                       ? reach
                       : static_cast<Cost>(random.below(static_cast<std::uint64_t>(reach) + 1)));
-      queue.push(node, key);
+      queue.push(key, node, static_cast<std::uint32_t>(key));
       model.emplace(key, node++);
     };
     push(least);
@@ -82,7 +84,7 @@ TEST_CASE("a jump queue keeps the buckets of its whole circle apart", "[search]"
     CAPTURE(start);
     queue.begin(start * width);
     for (Cost i = 5000; i >= 0; i -= 1) {  // the last ones lie beyond the circle
-      queue.push(static_cast<std::uint32_t>(i), (start + i) * width + i % width);
+      queue.push((start + i) * width + i % width, static_cast<std::uint32_t>(i), 0);
     }
     std::size_t wrong = 0;
     for (std::uint32_t i = 0; i <= 5000; ++i) {
@@ -96,10 +98,10 @@ TEST_CASE("a jump queue keeps the buckets of its whole circle apart", "[search]"
 TEST_CASE("keys below the bucket popped last are given at once", "[search]") {
   JumpQueue queue;
   queue.begin(0);
-  queue.push(1, 100 * width);
+  queue.push(100 * width, 1, 0);
   CHECK(queue.advance() == 100 * width);
-  queue.push(2, 7);  // a heuristic that rounds may fall a little
-  queue.push(3, 101 * width);
+  queue.push(7, 2, 0);  // a heuristic that rounds may fall a little
+  queue.push(101 * width, 3, 0);
   queue.advance();
   CHECK(queue.pop().node == 2);
   CHECK(queue.pop().node == 1);

@@ -43,7 +43,7 @@ class PartStack {
  public:
   static constexpr int max_depth = 40;  // halving takes deviations below rounding long before
 
-  explicit PartStack(const P& piece) : parts_{Part<P>{piece, 0, 1, 0}}, size_(1) {}
+  explicit PartStack(const P& piece) : parts_{Part<P>{piece, 0, 1, 0}} {}
 
   bool empty() const { return size_ == 0; }
   Part<P> pop() { return parts_[--size_]; }
@@ -60,7 +60,7 @@ class PartStack {
 
  private:
   std::array<Part<P>, max_depth + 2> parts_;
-  std::size_t size_;
+  std::size_t size_ = 1;
 };
 
 /// Pieces that are refined by halving; segments and arcs have distances in closed form.
@@ -128,7 +128,7 @@ PieceProof prove(const S& space, const Arc& arc, double distance, double slack, 
 template <ClearanceSpace S, Divisible P>
 PieceProof prove(const S& space, const P& piece, double distance, double slack,
                  std::size_t max_evaluations) {
-  const Box bounds = space.bounds();
+  const Box& bounds = space.bounds();
   const double magnitude = std::fmax(space.magnitude(), piece.box().magnitude());
   PieceProof proof;
   PartStack<P> stack(piece);
@@ -175,7 +175,7 @@ template <ClearanceSpace S, class P>
 PieceProof prove_distance(const S& space, const P& piece, double distance,
                           std::size_t max_evaluations = 256) {
   if (!piece.is_finite()) return {};
-  const Box bounds = space.bounds();
+  const Box& bounds = space.bounds();
   for (const double t : {0.0, 1.0}) {
     if (!bounds.contains(t == 0 ? piece.start() : piece.end())) {
       return {ProofStatus::violated, t, 0};

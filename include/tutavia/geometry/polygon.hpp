@@ -74,11 +74,9 @@ inline int winding_number(const Ring& ring, const Point& p) {
 /// read so that an obstacle never shrinks: its outer ring encloses what the non-zero rule encloses
 /// (all that the even-odd rule does, and more), a hole only what the even-odd rule does.
 inline bool contains(const Polygon& polygon, const Point& p) {
-  if (winding_number(polygon.outer, p) == 0) return false;
-  for (const Ring& hole : polygon.holes) {
-    if (winding_number(hole, p) % 2 != 0) return false;
-  }
-  return true;
+  return winding_number(polygon.outer, p) != 0 &&
+         std::none_of(polygon.holes.begin(), polygon.holes.end(),
+                      [&](const Ring& hole) { return winding_number(hole, p) % 2 != 0; });
 }
 
 /// Whether all points of a ring lie on one line; decided by exact predicates.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tutavia/core/compiler.hpp"
 #include "tutavia/core/error.hpp"
 #include "tutavia/grid/bits.hpp"
 #include "tutavia/grid/cell.hpp"
@@ -45,7 +46,7 @@ class OccupancyGrid {
       return ((words[index / 64] >> (index % 64)) & 1u) != 0;
     }
     /// The eight neighbours of a cell. \pre the cell lies in the grid
-    Neighbourhood neighbourhood(std::size_t index) const {
+    TUTAVIA_ALWAYS_INLINE Neighbourhood neighbourhood(std::size_t index) const {
       const auto three = [this](std::size_t from) {
         return static_cast<unsigned>(load_bits(words, from) & 7u);
       };

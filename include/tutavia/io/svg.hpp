@@ -171,8 +171,8 @@ class SvgPicture {
         // Two halves, because SVG cannot tell a full circle from none; y points down there.
         const std::string radius = number(arc->radius * scale_);
         for (const double t : {0.5, 1.0}) {
-          d += "A" + radius + " " + radius + " 0 0 " + (arc->sweep > 0 ? "0 " : "1 ");
-          d += at(arc->point(t));
+          d.append("A").append(radius).append(" ").append(radius);
+          d.append(arc->sweep > 0 ? " 0 0 0 " : " 0 0 1 ").append(at(arc->point(t)));
         }
       }
     }

@@ -54,7 +54,9 @@ struct BidirectionalAStar {
       };
       while (true) {
         const std::uint64_t expanded = forward.expanded() + backward.expanded();
-        if (stopped = detail::exceeded(query.budget, expanded); stopped) break;
+        if (detail::is_checked(query.budget, expanded)) {
+          if (stopped = detail::exceeded(query.budget, expanded); stopped) break;
+        }
         const bool go_forward = forward.open_cells() <= backward.open_cells();
         if (!(go_forward ? advance(forward, backward) : advance(backward, forward))) break;
       }

@@ -17,7 +17,7 @@ namespace tutavia {
 /// What waits in a BucketQueue.
 struct BucketEntry {
   std::uint32_t node;
-  std::uint32_t key;  ///< the low 32 bits
+  std::uint32_t note;  ///< the searcher's own
 };
 
 /// The memory of a BucketQueue; nothing is freed between queries.
@@ -33,6 +33,8 @@ using Buckets = std::array<std::vector<BucketEntry>, 64>;
 template <int Shift>
 class BucketQueue {
  public:
+  static constexpr Cost width = Cost{1} << Shift;  ///< of a bucket
+
   /// An empty queue; no key will be less than `least`.
   BucketQueue(Buckets& buckets, Cost least)
       : buckets_(buckets), current_(static_cast<std::uint64_t>(least) >> Shift) {
@@ -41,9 +43,9 @@ class BucketQueue {
 
   bool empty() const { return occupied_ == 0; }
 
-  void push(std::uint32_t node, Cost key) {
+  void push(Cost key, std::uint32_t node, std::uint32_t note) {
     const auto bucket = (static_cast<std::uint64_t>(key) >> Shift) % 64;
-    buckets_[bucket].push_back({node, static_cast<std::uint32_t>(key)});
+    buckets_[bucket].push_back({node, note});
     occupied_ |= std::uint64_t{1} << bucket;
   }
 
@@ -60,7 +62,7 @@ class BucketQueue {
     std::vector<BucketEntry>& bucket = buckets_[current_ % 64];
     const BucketEntry entry = bucket.back();
     bucket.pop_back();
-    if (bucket.empty()) occupied_ &= ~(std::uint64_t{1} << (current_ % 64));
+    occupied_ &= ~(std::uint64_t{bucket.empty()} << (current_ % 64));
     return entry;
   }
 

@@ -48,7 +48,9 @@ class FlowField {
                                                    ZeroHeuristic{}, seeds, scratch, nobody);
     typename decltype(wave)::Popped popped;
     while (wave.pop(std::numeric_limits<Cost>::max(), popped)) {
-      if (auto failure = detail::exceeded(budget, wave.expanded())) return Unexpected{*failure};
+      if (detail::is_checked(budget, wave.expanded())) {
+        if (auto failure = detail::exceeded(budget, wave.expanded())) return Unexpected{*failure};
+      }
       wave.expand(popped);
     }
     field.stats_.expanded = wave.expanded();

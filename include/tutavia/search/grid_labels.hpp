@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "tutavia/core/compiler.hpp"
 #include "tutavia/core/zeroed_array.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/grid/successors.hpp"
@@ -24,6 +25,7 @@ class LabelWords {
   /// The labels of query 1, ..., last_query; 0 is a label of none.
   explicit LabelWords(std::uint64_t query) : base_((query << g_bits | g_mask) << step_bits) {}
 
+  /// The label of a way of cost `g` that arrives by the step `arrival`.
   std::uint64_t word(Cost g, std::size_t arrival) const {
     return (base_ - (static_cast<std::uint64_t>(g) << step_bits)) | arrival;
   }
@@ -36,6 +38,10 @@ class LabelWords {
     return static_cast<Cost>((base_ - (label & ~step_mask)) >> step_bits);
   }
   static std::size_t arrival(std::uint64_t label) { return label & step_mask; }
+  /// Tells a label from the labels of the same cell that come soon after it.
+  static std::uint32_t note(std::uint64_t label) {
+    return static_cast<std::uint32_t>(label >> step_bits);
+  }
 
  private:
   static constexpr int g_bits = 47, step_bits = 4;
@@ -54,13 +60,16 @@ class GridLabels {
    public:
     View(std::uint64_t* labels, std::uint64_t query) : labels_(labels), words_(query) {}
 
-    /// Notes a way of cost `g` that arrives by `step`, if it is the first or a better one.
-    bool improve(std::size_t cell, Cost g, std::size_t step) const {
-      const std::uint64_t label = words_.word(g, step);
+    /// Notes a way to a cell (see LabelWords::word), if it is the first or a better one.
+    bool improve(std::size_t cell, std::uint64_t label) const {
       if (!LabelWords::is_better(label, labels_[cell])) return false;
       labels_[cell] = label;
       return true;
     }
+
+    const LabelWords& words() const { return words_; }
+    /// The label of a cell, as a word.
+    std::uint64_t operator[](std::size_t cell) const { return labels_[cell]; }
 
     bool reached(std::size_t cell) const { return words_.is_current(labels_[cell]); }
     /// \pre reached(cell)
@@ -68,11 +77,8 @@ class GridLabels {
     /// \pre reached(cell)
     std::size_t arrival(std::size_t cell) const { return LabelWords::arrival(labels_[cell]); }
 
-    void prefetch([[maybe_unused]] std::size_t cell) const {
-#if defined(__GNUC__)
-      __builtin_prefetch(labels_ + cell, 1);
-#endif
-    }
+    /// The label of a cell is going to be looked at.
+    void prefetch(std::size_t cell) const { tutavia::prefetch(labels_ + cell); }
 
    private:
     std::uint64_t* labels_;

@@ -59,7 +59,7 @@ class GridWave {
     std::uint32_t index;
     Cell cell;
     Cost g;
-    Cost f;
+    std::size_t arrival;
   };
 
   /// Begins at cells that are reached from outside the grid, each at a cost.
@@ -87,13 +87,12 @@ class GridWave {
       const Cost bucket = open_.advance();
       if (bucket >= limit) return false;
       const BucketEntry entry = open_.pop();
-      // Keys in a bucket share all but their low bits.
-      const Cost f = bucket + static_cast<Cost>((entry.key - static_cast<std::uint32_t>(bucket)));
-      if (f >= limit) continue;
+      const std::uint64_t label = labels_[entry.node];
+      if (LabelWords::note(label) != entry.note) continue;  // a better way has overtaken it
       const Cell cell = grid_.cell(entry.node);
-      const Cost g = labels_.g(entry.node);
-      if (g + heuristic_(cell) != f) continue;  // a better way has overtaken it
-      out = {entry.node, cell, g, f};
+      const Cost g = labels_.words().g(label);
+      if (bucket > limit - open_.width && g + heuristic_(cell) >= limit) continue;
+      out = {entry.node, cell, g, LabelWords::arrival(label)};
       return true;
     }
     return false;
@@ -102,15 +101,18 @@ class GridWave {
   void expand(const Popped& from) {
     ++expanded_;
     if constexpr (!std::same_as<O, NoObserver>) observer_.expanded(frame_.point(from.cell));
-    const std::size_t arrival = labels_.arrival(from.index);
-    unsigned left = tables_[Canonical ? arrival : 0][grid_.neighbourhood(from.index)];
-    if (!Canonical && arrival != no_step) left &= ~(1u << opposite(arrival));  // the parent
+    unsigned left = tables_[Canonical ? from.arrival : 0][grid_.neighbourhood(from.index)];
+    const bool has_parent = !Canonical && from.arrival != no_step;
+    if (has_parent) left &= ~(1u << opposite(from.arrival));
     while (left != 0) {
       const auto step = static_cast<unsigned>(std::countr_zero(left));
       left &= left - 1;
       reach(from.index + offsets_[step], from.cell + steps[step], from.g + step_cost(step), step);
     }
   }
+
+  /// f of a cell taken from the open list.
+  Cost f(const Popped& popped) const { return popped.g + heuristic_(popped.cell); }
 
   const GridLabels::View& labels() const { return labels_; }
   std::uint64_t expanded() const { return expanded_; }
@@ -126,11 +128,12 @@ class GridWave {
   }
 
   void reach(std::uint32_t index, Cell cell, Cost g, std::size_t step) {
-    if (!labels_.improve(index, g, step)) return;
+    const std::uint64_t label = labels_.words().word(g, step);
+    if (!labels_.improve(index, label)) return;
     ++generated_;
     if constexpr (!std::same_as<O, NoObserver>) observer_.generated(frame_.point(cell));
     if (step != no_step) labels_.prefetch(index + offsets_[step]);  // likely to be next
-    open_.push(index, g + heuristic_(cell));
+    open_.push(g + heuristic_(cell), index, LabelWords::note(label));
   }
 
   OccupancyGrid::View grid_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tutavia/core/compiler.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/search/grid_labels.hpp"
 
@@ -33,49 +34,54 @@ class JumpLabels {
     words_ = LabelWords(++query_);
     size_ = 0;
     if (labels_.empty()) labels_.resize(1024, Label{});
+    mask_ = labels_.size() - 1;
   }
 
-  /// Notes a way of cost `g` that arrives by the step `arrival`, if it is the first or a better
-  /// one.
-  bool improve(std::uint32_t cell, Cost g, std::size_t arrival, std::uint32_t parent) {
-    Label* label = &find(cell);
-    const std::uint64_t word = words_.word(g, arrival);
-    if (words_.is_current(label->word)) {
-      if (!words_.is_better(word, label->word)) return false;
-    } else if (4 * ++size_ > 3 * labels_.size()) {
-      grow();
-      label = &find(cell);
-    }
-    *label = {word, cell, parent};
+  /// Notes a way to a cell (see LabelWords::word), if it is the first or a better one.
+  bool improve(std::uint32_t cell, std::uint64_t word, std::uint32_t parent) {
+    Label& label = find(cell);
+    if (!LabelWords::is_better(word, label.word)) return false;  // an empty place loses
+    size_ += words_.is_current(label.word) ? 0 : 1;
+    label = {word, cell, parent};
+    if (4 * size_ > 3 * mask_) grow();
     return true;
   }
 
   /// \pre the cell was reached
-  Cost g(std::uint32_t cell) { return words_.g(find(cell).word); }
-  std::size_t arrival(std::uint32_t cell) { return LabelWords::arrival(find(cell).word); }
-  std::uint32_t parent(std::uint32_t cell) { return find(cell).parent; }
+  const Label& operator[](std::uint32_t cell) { return find(cell); }
+
+  const LabelWords& words() const { return words_; }
+
+  /// The label of a cell is going to be looked at.
+  void prefetch(std::uint32_t cell) const { tutavia::prefetch(&labels_[place(cell)]); }
 
   std::size_t memory() const { return labels_.size() * sizeof(Label); }
   std::size_t size() const { return size_; }
 
  private:
+  /// Where the search for a cell's label begins.
+  std::size_t place(std::uint32_t cell) const {
+    return (cell * std::uint64_t{0x9E3779B97F4A7C15u}) >> 32 & mask_;
+  }
+
   /// The label of a cell, or the empty place for it.
   Label& find(std::uint32_t cell) {
-    const std::size_t mask = labels_.size() - 1;
-    std::size_t i = (cell * std::uint64_t{0x9E3779B97F4A7C15u}) >> 32 & mask;
-    while (labels_[i].cell != cell && words_.is_current(labels_[i].word)) i = (i + 1) & mask;
+    std::size_t i = place(cell);
+    while (labels_[i].cell != cell && words_.is_current(labels_[i].word)) i = (i + 1) & mask_;
     return labels_[i];
   }
 
   void grow() {
     std::vector<Label> old(2 * labels_.size(), Label{});
     old.swap(labels_);
+    mask_ = labels_.size() - 1;
     for (const Label& label : old) {
       if (words_.is_current(label.word)) find(label.cell) = label;
     }
   }
 
-  std::vector<Label> labels_;
+  std::vector<Label> labels_;  // 2^n of them
+  std::size_t mask_ = 0;       // 2^n - 1
   std::size_t size_ = 0;
   std::uint64_t query_ = 0;
   LabelWords words_{0};

@@ -23,10 +23,13 @@ namespace tutavia {
 class JumpQueue {
  public:
   struct Entry {
-    Cost key;
     std::uint32_t node;
+    std::uint32_t note;  ///< the searcher's own
     std::uint32_t next;  // in the same bucket
   };
+
+  static constexpr int shift = 10;
+  static constexpr Cost width = Cost{1} << shift;  ///< of a bucket
 
   /// Empties the queue; no key will be less than `least`.
   void begin(Cost least) {
@@ -40,13 +43,13 @@ class JumpQueue {
 
   bool empty() const { return words_ == 0 && beyond_.empty(); }
 
-  void push(std::uint32_t node, Cost key) {
+  void push(Cost key, std::uint32_t node, std::uint32_t note) {
     const Cost bucket = std::max(key >> shift, current_);
     if (bucket - current_ >= static_cast<Cost>(count)) {
-      beyond_.push_back({key, node, none});
+      beyond_.push_back({bucket, node, note});
       least_beyond_ = std::min(least_beyond_, bucket);
     } else {
-      put(static_cast<std::size_t>(bucket) % count, {key, node, none});
+      put(static_cast<std::size_t>(bucket) % count, {node, note, none});
     }
   }
 
@@ -66,17 +69,22 @@ class JumpQueue {
     const auto bucket = static_cast<std::size_t>(current_) % count;
     const Entry entry = pool_[heads_[bucket]];
     heads_[bucket] = entry.next;
-    if (entry.next == none) {
-      occupied_[bucket / 64] &= ~(std::uint64_t{1} << (bucket % 64));
-      if (occupied_[bucket / 64] == 0) words_ &= ~(std::uint64_t{1} << (bucket / 64));
-    }
+    // Whether this was the last one is anybody's guess: no branches.
+    std::uint64_t& word = occupied_[bucket / 64];
+    word &= ~(std::uint64_t{entry.next == none} << (bucket % 64));
+    words_ &= ~(std::uint64_t{word == 0} << (bucket / 64));
     return entry;
   }
 
  private:
-  static constexpr int shift = 10;
   static constexpr std::size_t count = 4096;
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  struct Beyond {
+    Cost bucket;
+    std::uint32_t node;
+    std::uint32_t note;
+  };
 
   void put(std::size_t bucket, Entry entry) {
     const std::uint64_t bit = std::uint64_t{1} << (bucket % 64);
@@ -106,13 +114,11 @@ class JumpQueue {
     current_ = least_beyond_;
     least_beyond_ = std::numeric_limits<Cost>::max();
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < beyond_.size(); ++i) {
-      const Entry entry = beyond_[i];
-      const Cost bucket = entry.key >> shift;
-      if (bucket - current_ < static_cast<Cost>(count)) {
-        put(static_cast<std::size_t>(bucket) % count, entry);
+    for (const Beyond entry : beyond_) {
+      if (entry.bucket - current_ < static_cast<Cost>(count)) {
+        put(static_cast<std::size_t>(entry.bucket) % count, {entry.node, entry.note, none});
       } else {
-        least_beyond_ = std::min(least_beyond_, bucket);
+        least_beyond_ = std::min(least_beyond_, entry.bucket);
         beyond_[kept++] = entry;
       }
     }
@@ -124,7 +130,7 @@ class JumpQueue {
   std::uint64_t words_ = 0;  // which words of occupied_ are not 0
   Cost current_ = 0;         // bucket number
   std::vector<Entry> pool_;
-  std::vector<Entry> beyond_;
+  std::vector<Beyond> beyond_;
   Cost least_beyond_ = std::numeric_limits<Cost>::max();  // bucket number
 };
 

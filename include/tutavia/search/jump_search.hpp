@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <concepts>
 #include <cstddef>
@@ -9,11 +10,14 @@
 #include <cstdlib>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tutavia/core/budget.hpp"
+#include "tutavia/core/compiler.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/grid/successors.hpp"
+#include "tutavia/search/concepts.hpp"
 #include "tutavia/search/jump_labels.hpp"
 #include "tutavia/search/jump_queue.hpp"
 #include "tutavia/search/linked_query.hpp"
@@ -62,22 +66,26 @@ class JumpSearch {
     for (const auto& [cell, cost] : linked_.starts) least = std::min(least, cost + estimate(cell));
     open_.begin(least);
     for (const auto& [cell, cost] : linked_.starts) {
-      reach(cell, cost, no_step, cell);
-      if (const auto exit = linked_.exit_cost(cell)) meet_goal(cell, cost + *exit, cell);
+      note(cell, cost, no_step);
+      reach_noted(cell);
+      leave_at(cell, cost, cell);
     }
-    while (!open_.empty() && open_.advance() < best_) {
+    while (!open_.empty()) {
+      const Cost least_key = open_.advance();
+      if (least_key >= best_) break;
       const JumpQueue::Entry entry = open_.pop();
-      if (entry.key >= best_) continue;
+      const std::uint64_t label = labels_[entry.node].word;
+      if (LabelWords::note(label) != entry.note) continue;  // a better way has overtaken it
       const Cell cell = grid_.cell(entry.node);
-      const Cost g = labels_.g(entry.node);
-      if (g + estimate(cell) != entry.key) continue;  // a better way has overtaken it
+      const Cost g = labels_.words().g(label);
+      if (least_key > best_ - JumpQueue::width && g + estimate(cell) >= best_) continue;
       if (stats_.expanded >= budget.max_expansions) {
         return Failure{.code = PlanError::budget_exhausted};
       }
       if (stats_.expanded % 64 == 0) {
         if (const auto code = budget.exceeded()) return Failure{.code = *code};
       }
-      expand(cell, g, labels_.arrival(entry.node));
+      expand(cell, g, LabelWords::arrival(label));
     }
     if (best_ == none) return Failure{.code = PlanError::unreachable};
     return std::nullopt;
@@ -97,9 +105,10 @@ class JumpSearch {
         cells.push_back(from);
       }
       const auto index = static_cast<std::uint32_t>(grid_.index(from));
-      if (labels_.arrival(index) == no_step) return;
+      const JumpLabels::Label& label = labels_[index];
+      if (LabelWords::arrival(label.word) == no_step) return;
       to = from;
-      from = grid_.cell(labels_.parent(index));
+      from = grid_.cell(label.parent);
     }
   }
 
@@ -125,6 +134,7 @@ class JumpSearch {
     if (has(3)) jump_diagonally<3>(from, g);
     if (has(5)) jump_diagonally<5>(from, g);
     if (has(7)) jump_diagonally<7>(from, g);
+    reach_noted(from);
   }
 
   template <std::size_t Step>
@@ -134,8 +144,7 @@ class JumpSearch {
                                      [&](int k, int horizontal, int vertical) {
                                        const Cell cell{from.x + k * d.x, from.y + k * d.y};
                                        const Cost cost = g + k * diagonal_cost;
-                                       if (const auto exit = linked_.exit_cost(cell))
-                                         meet_goal(cell, cost + *exit, from);
+                                       leave_at(cell, cost, from);
                                        jump<d.x == 1 ? 0 : 4>(cell, horizontal, cost, from);
                                        jump<d.y == 1 ? 2 : 6>(cell, vertical, cost, from);
                                      });
@@ -143,7 +152,7 @@ class JumpSearch {
 
   /// Follows a straight jump from `cell`, which is reached from `parent`.
   template <std::size_t Step>
-  void jump(Cell cell, int stop, Cost g, Cell parent) {
+  TUTAVIA_ALWAYS_INLINE void jump(Cell cell, int stop, Cost g, Cell parent) {
     constexpr Cell d = steps[Step];
     const int aside = d.x != 0 ? linked_.goal_cell.y - cell.y : linked_.goal_cell.x - cell.x;
     if (-1 <= aside && aside <= 1) {
@@ -155,8 +164,15 @@ class JumpSearch {
       }
     }
     if (stop > 0) {
-      reach({cell.x + stop * d.x, cell.y + stop * d.y}, g + stop * straight_cost, Step, parent);
+      if (noted_ == reached_.size()) reach_noted(parent);
+      note({cell.x + stop * d.x, cell.y + stop * d.y}, g + stop * straight_cost, Step);
     }
+  }
+
+  /// Leaves the grid for the goal at a cell reached from `parent`, if that is possible.
+  void leave_at(Cell cell, Cost g, Cell parent) {
+    if (!linked_.near_goal(cell)) return;
+    if (const auto exit = linked_.exit_cost(cell)) meet_goal(cell, g + *exit, parent);
   }
 
   void meet_goal(Cell goal, Cost total, Cell parent) {
@@ -166,18 +182,34 @@ class JumpSearch {
     best_parent_ = parent;
   }
 
-  void reach(Cell cell, Cost g, std::size_t arrival, Cell parent) {
-    const Cost f = g + estimate(cell);
-    if (f >= best_) return;
+  /// Notes that a jump reaches a cell. Labels are far away in memory, so they are asked for now and
+  /// looked at when the jumps of an expansion are done.
+  TUTAVIA_ALWAYS_INLINE void note(Cell cell, Cost g, std::size_t arrival) {
     const auto index = static_cast<std::uint32_t>(grid_.index(cell));
-    if (!labels_.improve(index, g, arrival, static_cast<std::uint32_t>(grid_.index(parent)))) {
-      return;
-    }
-    ++stats_.generated;
-    if constexpr (!std::same_as<O, NoObserver>) observer_.generated(frame_.point(cell));
-    scanner_.prefetch(cell);
-    open_.push(index, f);
+    labels_.prefetch(index);
+    reached_[noted_++] = {labels_.words().word(g, arrival), cell, index};
   }
+
+  /// Labels the noted cells, which are reached from `parent`.
+  void reach_noted(Cell parent) {
+    const auto from = static_cast<std::uint32_t>(grid_.index(parent));
+    for (const Reached& to : std::span(reached_.data(), noted_)) {
+      if (!labels_.improve(to.index, to.label, from)) continue;
+      const Cost f = labels_.words().g(to.label) + estimate(to.cell);
+      if (f >= best_) continue;
+      ++stats_.generated;
+      if constexpr (!std::same_as<O, NoObserver>) observer_.generated(frame_.point(to.cell));
+      open_.push(f, to.index, LabelWords::note(to.label));
+      scanner_.prefetch(to.cell);
+    }
+    noted_ = 0;
+  }
+
+  struct Reached {
+    std::uint64_t label;
+    Cell cell;
+    std::uint32_t index;
+  };
 
   OccupancyGrid::View grid_;
   const Frame& frame_;
@@ -190,6 +222,8 @@ class JumpSearch {
   Statistics& stats_;
   Cost best_ = none;
   Cell best_goal_{}, best_parent_{};
+  std::array<Reached, 32> reached_;
+  std::size_t noted_ = 0;
 };
 
 /// What both variants do around the search.

@@ -79,10 +79,15 @@ struct LinkedQuery {
     return result;
   }
 
+  /// Whether a cell is `goal_cell` or next to it; all others have no link to the goal.
+  bool near_goal(Cell cell) const {
+    const Cell d = cell - goal_cell;
+    return -1 <= d.x && d.x <= 1 && -1 <= d.y && d.y <= 1;
+  }
+
   /// Cost of leaving the grid for the goal at a cell, if that is possible.
   std::optional<Cost> exit_cost(Cell cell) const {
-    const Cell d = cell - goal_cell;
-    if (d.x < -1 || d.x > 1 || d.y < -1 || d.y > 1) return std::nullopt;
+    if (!near_goal(cell)) return std::nullopt;
     return goals.cost_of(cell);
   }
 

@@ -39,12 +39,15 @@ inline void trace(const OccupancyGrid& grid, const GridLabels::View& labels, Cel
   }
 }
 
-/// What ends a query, checked before every expansion; reads the clock once in 256.
+/// Whether to look at the budget before an expansion: the clock is read once in 256.
+inline bool is_checked(const Budget& budget, std::uint64_t expanded) {
+  return expanded % 256 == 0 || expanded >= budget.max_expansions;
+}
+
+/// What ends a query, if it is to end.
 inline std::optional<Failure> exceeded(const Budget& budget, std::uint64_t expanded) {
   if (expanded >= budget.max_expansions) return Failure{.code = PlanError::budget_exhausted};
-  if (expanded % 256 == 0) {
-    if (const auto code = budget.exceeded()) return Failure{.code = *code};
-  }
+  if (const auto code = budget.exceeded()) return Failure{.code = *code};
   return std::nullopt;
 }
 
@@ -66,12 +69,16 @@ Expected<Route, Failure> wave_search(const S& space, const Query& query, WaveScr
     std::optional<Failure> stopped;
     typename decltype(wave)::Popped popped;
     while (wave.pop(best, popped)) {
-      if (const auto exit = linked.exit_cost(popped.cell); exit && popped.g + *exit < best) {
-        best = popped.g + *exit;
-        end = popped.cell;
-        if (best <= popped.f) continue;
+      if (linked.near_goal(popped.cell)) {
+        if (const auto exit = linked.exit_cost(popped.cell); exit && popped.g + *exit < best) {
+          best = popped.g + *exit;
+          end = popped.cell;
+          if (best <= wave.f(popped)) continue;
+        }
       }
-      if (stopped = detail::exceeded(query.budget, wave.expanded()); stopped) break;
+      if (detail::is_checked(query.budget, wave.expanded())) {
+        if (stopped = detail::exceeded(query.budget, wave.expanded()); stopped) break;
+      }
       wave.expand(popped);
     }
     stats.expanded = wave.expanded();

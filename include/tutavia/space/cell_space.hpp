@@ -257,7 +257,7 @@ void CellSpace::for_each_edge_near(const P& piece, double low, double high, doub
     for_each_blocked<true>(y, column(x0 - margin) - 1, column(x1 + margin) + 1, [&](Cell cell) {
       const auto index = static_cast<std::uint32_t>(map.index(cell));
       for (std::uint32_t side = 0; side < 4; ++side) {
-        if (blocked(cell + steps[2 * side])) continue;
+        if (blocked(cell + steps[std::size_t{2} * side])) continue;
         const auto corner = [&](std::uint32_t k) {  // counterclockwise from the lower right one
           return line_crossing(cell + std::array<Cell, 4>{{{1, 0}, {1, 1}, {0, 1}, {0, 0}}}[k % 4]);
         };

@@ -97,7 +97,7 @@ void for_each_crossing(const Boundary& first, const Boundary& second, Visit visi
 /// out as well, so that rounding does not hide them.
 template <FeatureSpace S>
 std::optional<Point> nearest_free_point(const S& space, const Point& p) {
-  const Box bounds = space.bounds();
+  const Box& bounds = space.bounds();
   const Point origin = bounds.clamp(p);
   if (!is_finite(p)) return std::nullopt;
   if (space.is_free(origin)) return origin;

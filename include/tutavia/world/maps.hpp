@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "tutavia/world/scene.hpp"
 
 /// \file
@@ -17,13 +20,13 @@ inline Scene array() {
   scene.name = "array";
   scene.workspace.bounds = {{0, 0}, {16, 16}};
   scene.workspace.safety_radius = 0.3;
-  constexpr double left[] = {1.125, 4.475, 7.825, 11.175};
-  constexpr double right[] = {3.575, 6.925, 10.275, 13.625};
-  constexpr double bottom[] = {2.925, 6.025, 9.125, 12.225};
-  constexpr double top[] = {4.275, 7.375, 10.475, 13.575};
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      scene.workspace.obstacles.push_back(Polygon{
+  constexpr std::array left{1.125, 4.475, 7.825, 11.175};
+  constexpr std::array right{3.575, 6.925, 10.275, 13.625};
+  constexpr std::array bottom{2.925, 6.025, 9.125, 12.225};
+  constexpr std::array top{4.275, 7.375, 10.475, 13.575};
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    for (std::size_t j = 0; j < top.size(); ++j) {
+      scene.workspace.obstacles.emplace_back(Polygon{
           {{left[i], bottom[j]}, {right[i], bottom[j]}, {right[i], top[j]}, {left[i], top[j]}}});
     }
   }

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "tutavia/core/error.hpp"
+#include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/grid/successors.hpp"
+
+/// \file
+/// JumpTable: how far every jump of jump point search goes.
+
+namespace tutavia {
+
+/// For every cell and step how far a jump under `no_cut` goes: n > 0 steps to a jump point (a cell
+/// with a forced neighbour; diagonally: a cell from which a straight jump reaches one), or -n: n
+/// free steps before a wall. A byte each, so that a cell's eight fit a word; jumps of more than 126
+/// steps are followed in legs.
+///
+/// Source: the distances are those of Harabor and Grastien 2014, "Improving jump point search",
+/// section "Preprocessing".
+class JumpTable {
+ public:
+  /// The jumps from one cell, by step.
+  using Row = std::array<std::int8_t, 8>;
+
+  /// In the place of a distance: `leg` free steps without a jump point, and on from there.
+  static constexpr int far = 127;
+  static constexpr int leg = 126;
+
+  /// Computes the table in O(cells) by one or two threads; the result does not depend on their
+  /// number.
+  static JumpTable build(const OccupancyGrid& grid, unsigned threads = 1);
+
+  /// The table as bytes, to be kept in a file; 8 per cell and a short head.
+  std::string to_bytes() const;
+  /// What `to_bytes` gave. `invalid_input` for anything else, and for the table of another grid.
+  static Expected<JumpTable, Failure> from_bytes(std::string_view bytes, const OccupancyGrid& grid);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// Whether this is the table of a grid (by a hash of its cells).
+  bool matches(const OccupancyGrid& grid) const {
+    return width_ == grid.width() && height_ == grid.height() && grid_hash_ == hash(grid);
+  }
+
+  /// \pre the cell lies in the grid
+  const Row& row(Cell cell) const {
+    return rows_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) +
+                 static_cast<std::size_t>(cell.x)];
+  }
+  /// The whole jump in a direction, all its legs. \pre the cell lies in the grid
+  template <std::size_t Step>
+  int jump(Cell from) const {
+    const int first = row(from)[Step];
+    return first != far ? first : jump_on<Step>(from);
+  }
+
+  std::size_t memory() const { return rows_.size() * sizeof(Row); }
+
+ private:
+  explicit JumpTable(const OccupancyGrid& grid)
+      : width_(grid.width()),
+        height_(grid.height()),
+        grid_hash_(hash(grid)),
+        rows_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
+
+  Row& row(Cell cell) { return const_cast<Row&>(std::as_const(*this).row(cell)); }
+
+  template <std::size_t Step>
+  int jump_on(Cell from) const {
+    for (int legs = leg;; legs += leg) {
+      const int next = row({from.x + legs * steps[Step].x, from.y + legs * steps[Step].y})[Step];
+      if (next != far) return next > 0 ? legs + next : next - legs;
+    }
+  }
+
+  /// The jumps that lead to the row above (dy = 1) or below; those along the rows with `dy` = 1.
+  void fill(const OccupancyGrid& grid, int dy);
+
+  static std::uint64_t hash(const OccupancyGrid& grid) {  // FNV-1a over words
+    std::uint64_t value = 0xCBF29CE484222325u;
+    for (const std::uint64_t word : grid.words()) value = (value ^ word) * 0x100000001B3u;
+    return value ^ static_cast<std::uint64_t>(grid.width());
+  }
+
+  int width_, height_;
+  std::uint64_t grid_hash_;
+  std::vector<Row> rows_;
+};
+
+namespace detail {
+
+/// For every neighbourhood the straight steps (as bits) that stop at its middle.
+inline const SuccessorTable& jump_stops() {
+  static const SuccessorTable table = [] {
+    const CanonicalTable& canonical = canonical_table(MovementRule::no_cut);
+    SuccessorTable stops{};
+    for (std::size_t around = 0; around < stops.size(); ++around) {
+      for (std::size_t step = 0; step < steps.size(); step += 2) {
+        const auto onwards = static_cast<StepSet>(1u << step);
+        if ((canonical[step][around] & ~onwards) != 0) {
+          stops[around] = static_cast<StepSet>(stops[around] | onwards);
+        }
+      }
+    }
+    return stops;
+  }();
+  return table;
+}
+
+inline constexpr std::string_view jump_table_magic = "tutavia jump table 2\n";
+
+}  // namespace detail
+
+inline JumpTable JumpTable::build(const OccupancyGrid& grid, unsigned threads) {
+  JumpTable table(grid);
+  if (threads > 1) {
+    std::thread below([&] { table.fill(grid, -1); });
+    table.fill(grid, 1);
+    below.join();
+  } else {
+    table.fill(grid, 1);
+    table.fill(grid, -1);
+  }
+  return table;
+}
+
+inline void JumpTable::fill(const OccupancyGrid& grid, int dy) {
+  // Whole jumps in the row that was done last, with a cell beyond either end.
+  struct Jumps {
+    int right = 0, left = 0, upright = 0, diagonal_right = 0, diagonal_left = 0;
+    StepSet successors = 0, stops = 0;
+  };
+  const SuccessorTable& successors = all_successors(MovementRule::no_cut);
+  const SuccessorTable& stops = detail::jump_stops();
+  const std::size_t upright = dy > 0 ? 2 : 6, right = dy > 0 ? 1 : 7, left = dy > 0 ? 3 : 5;
+  const auto has = [](StepSet set, std::size_t step) { return ((set >> step) & 1u) != 0; };
+  const auto onwards = [](bool stop, int next) {
+    return stop ? 1 : next > 0 ? next + 1 : next - 1;
+  };
+  const auto leg_of = [](int jump) {
+    return static_cast<std::int8_t>(std::abs(jump) > leg ? far : jump);
+  };
+  const auto columns = static_cast<std::size_t>(width_);
+  std::vector<Jumps> before(columns + 2), now(columns + 2);
+  for (int i = 0; i < height_; ++i) {
+    const int y = dy > 0 ? height_ - 1 - i : i;
+    const std::size_t first = grid.index({0, y});
+    for (std::size_t x = 1; x <= columns; ++x) {
+      const Neighbourhood around = grid.view().neighbourhood(first + x - 1);
+      now[x].successors = successors[around];
+      now[x].stops = stops[around];
+    }
+    for (std::size_t x = columns; x > 0; --x) {
+      now[x].right =
+          has(now[x].successors, 0) ? onwards(has(now[x + 1].stops, 0), now[x + 1].right) : 0;
+    }
+    for (std::size_t x = 1; x <= columns; ++x) {
+      Jumps& jumps = now[x];
+      jumps.left =
+          has(jumps.successors, 4) ? onwards(has(now[x - 1].stops, 4), now[x - 1].left) : 0;
+      const auto climb = [&](std::size_t step, bool stop, int further) {
+        return has(jumps.successors, step) ? onwards(stop, further) : 0;
+      };
+      const Jumps &above = before[x], &above_right = before[x + 1], &above_left = before[x - 1];
+      jumps.upright = climb(upright, has(above.stops, upright), above.upright);
+      jumps.diagonal_right = climb(right, above_right.right > 0 || above_right.upright > 0,
+                                   above_right.diagonal_right);
+      jumps.diagonal_left =
+          climb(left, above_left.left > 0 || above_left.upright > 0, above_left.diagonal_left);
+      Row& row = this->row({static_cast<int>(x - 1), y});
+      row[upright] = leg_of(jumps.upright);
+      row[right] = leg_of(jumps.diagonal_right);
+      row[left] = leg_of(jumps.diagonal_left);
+      if (dy > 0) {
+        row[0] = leg_of(jumps.right);
+        row[4] = leg_of(jumps.left);
+      }
+    }
+    std::swap(before, now);
+  }
+}
+
+inline std::string JumpTable::to_bytes() const {
+  std::string bytes(detail::jump_table_magic);
+  bytes.reserve(bytes.size() + 16 + memory());
+  const auto append = [&](std::uint64_t value, int count) {
+    for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xFF);
+  };
+  append(static_cast<std::uint64_t>(width_), 4);
+  append(static_cast<std::uint64_t>(height_), 4);
+  append(grid_hash_, 8);
+  for (const Row& row : rows_) {
+    for (const std::int8_t jump : row) bytes += static_cast<char>(jump);
+  }
+  return bytes;
+}
+
+inline Expected<JumpTable, Failure> JumpTable::from_bytes(std::string_view bytes,
+                                                          const OccupancyGrid& grid) {
+  const std::string_view magic = detail::jump_table_magic;
+  const std::size_t head = magic.size() + 16;
+  if (bytes.substr(0, magic.size()) != magic || bytes.size() < head) {
+    return fail(PlanError::invalid_input, "not a jump table of this version");
+  }
+  JumpTable table(grid);
+  const auto is = [&](std::size_t from, int count, std::uint64_t value) {
+    for (int i = 0; i < count; ++i) {
+      const auto byte = static_cast<unsigned char>(bytes[from + static_cast<std::size_t>(i)]);
+      if (byte != (value >> (8 * i) & 0xFF)) return false;
+    }
+    return true;
+  };
+  if (!is(magic.size(), 4, static_cast<std::uint64_t>(table.width_)) ||
+      !is(magic.size() + 4, 4, static_cast<std::uint64_t>(table.height_)) ||
+      !is(magic.size() + 8, 8, table.grid_hash_)) {
+    return fail(PlanError::invalid_input, "the jump table was made for another grid");
+  }
+  if (bytes.size() != head + table.memory()) {
+    return fail(PlanError::invalid_input, "jump table of " + std::to_string(bytes.size()) +
+                                              " bytes, " + std::to_string(head + table.memory()) +
+                                              " expected");
+  }
+  std::size_t from = head;
+  for (int y = 0; y < table.height_; ++y) {
+    for (int x = 0; x < table.width_; ++x) {
+      for (std::size_t step = 0; step < steps.size(); ++step, ++from) {
+        const auto jump = static_cast<std::int8_t>(static_cast<unsigned char>(bytes[from]));
+        // A damaged table must not lead a search out of the grid.
+        const int length = jump == far ? leg : std::abs(int{jump});
+        if (!grid.contains({x + length * steps[step].x, y + length * steps[step].y})) {
+          return fail(PlanError::invalid_input, "the jump table is damaged");
+        }
+        table.row({x, y})[step] = jump;
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace tutavia
