@@ -143,9 +143,12 @@ inline void JumpTable::fill(const OccupancyGrid& grid, int dy) {
   const SuccessorTable& successors = all_successors(MovementRule::no_cut);
   const SuccessorTable& stops = detail::jump_stops();
   const std::size_t upright = dy > 0 ? 2 : 6, right = dy > 0 ? 1 : 7, left = dy > 0 ? 3 : 5;
-  const auto has = [](StepSet set, std::size_t step) { return ((set >> step) & 1u) != 0; };
-  const auto onwards = [](bool stop, int next) {
-    return stop ? 1 : next > 0 ? next + 1 : next - 1;
+  const auto bit = [](StepSet set, std::size_t step) { return (set >> step) & 1; };
+  // A cell's jump from that of the next cell: can_step ? (stop ? 1 : next and one more) : 0,
+  // without branches, which would be anybody's guess.
+  const auto jump_by = [](int can_step, int stop, int next) {
+    const int further = next + (next > 0 ? 1 : -1);
+    return -can_step & (((stop - 1) & further) | stop);
   };
   const auto leg_of = [](int jump) {
     return static_cast<std::int8_t>(std::abs(jump) > leg ? far : jump);
@@ -161,22 +164,21 @@ inline void JumpTable::fill(const OccupancyGrid& grid, int dy) {
       now[x].stops = stops[around];
     }
     for (std::size_t x = columns; x > 0; --x) {
-      now[x].right =
-          has(now[x].successors, 0) ? onwards(has(now[x + 1].stops, 0), now[x + 1].right) : 0;
+      now[x].right = jump_by(bit(now[x].successors, 0), bit(now[x + 1].stops, 0), now[x + 1].right);
     }
     for (std::size_t x = 1; x <= columns; ++x) {
       Jumps& jumps = now[x];
-      jumps.left =
-          has(jumps.successors, 4) ? onwards(has(now[x - 1].stops, 4), now[x - 1].left) : 0;
-      const auto climb = [&](std::size_t step, bool stop, int further) {
-        return has(jumps.successors, step) ? onwards(stop, further) : 0;
-      };
+      const StepSet can = jumps.successors;
       const Jumps &above = before[x], &above_right = before[x + 1], &above_left = before[x - 1];
-      jumps.upright = climb(upright, has(above.stops, upright), above.upright);
-      jumps.diagonal_right = climb(right, above_right.right > 0 || above_right.upright > 0,
-                                   above_right.diagonal_right);
-      jumps.diagonal_left =
-          climb(left, above_left.left > 0 || above_left.upright > 0, above_left.diagonal_left);
+      const auto turns = [](int sideways, int ahead) {
+        return static_cast<int>(sideways > 0) | static_cast<int>(ahead > 0);
+      };
+      jumps.left = jump_by(bit(can, 4), bit(now[x - 1].stops, 4), now[x - 1].left);
+      jumps.upright = jump_by(bit(can, upright), bit(above.stops, upright), above.upright);
+      jumps.diagonal_right = jump_by(bit(can, right), turns(above_right.right, above_right.upright),
+                                     above_right.diagonal_right);
+      jumps.diagonal_left = jump_by(bit(can, left), turns(above_left.left, above_left.upright),
+                                    above_left.diagonal_left);
       Row& row = this->row({static_cast<int>(x - 1), y});
       row[upright] = leg_of(jumps.upright);
       row[right] = leg_of(jumps.diagonal_right);
