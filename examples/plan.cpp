@@ -68,7 +68,8 @@ void define_options(CLI::App& app, Arguments& args) {
   app.add_option("--bounds", args.bounds, "Bounds as X0,Y0,X1,Y1 in metres");
   app.add_flag("--strict", args.strict, "Refuse polygons that cross themselves");
   app.add_option("--resolution", args.resolution, "Lattice spacing in metres");
-  app.add_option("--search", args.search, "Search, or a comma list of them")->capture_default_str();
+  app.add_option("--search", args.search, "Search, or a comma list of them (any_angle: on grids)")
+      ->capture_default_str();
   app.add_option("--smoother", args.smoother, "Smoother, or a comma list of them")
       ->capture_default_str();
   app.add_option("--seed", args.seed, "Seed for searches that draw random numbers");
@@ -498,19 +499,18 @@ int plan_in_workspace(const Arguments& args, bool draw_default) {
 }
 
 int plan(const Arguments& args, bool draw_default) {
-  const auto searches = all_searches<LatticeSpace>();
-  const auto smoothers = all_smoothers<LatticeSpace>();
   if (args.list) {
     std::cout << "search:";
-    for (const auto& search : searches) std::cout << ' ' << search.name;
+    for (const auto& search : all_searches<CellSpace>()) std::cout << ' ' << search.name;
     std::cout << "\nsmoother:";
-    for (const auto& smoother : smoothers) std::cout << ' ' << smoother.name;
+    for (const auto& smoother : all_smoothers<CellSpace>()) std::cout << ' ' << smoother.name;
     std::cout << '\n';
     return 0;
   }
-  const auto named_searches = select(searches, "--search", args.search);
-  const auto named_smoothers = select(smoothers, "--smoother", args.smoother);
-  if (args.compare && (named_searches.size() > 1 || named_smoothers.size() > 1)) {
+  const auto is_list = [](const std::string& names) {
+    return names.find(',') != std::string::npos;
+  };
+  if (args.compare && (is_list(args.search) || is_list(args.smoother))) {
     throw UsageError{"--compare takes one --search and one --smoother to hold the others against"};
   }
   return args.grid.empty() ? plan_in_workspace(args, draw_default) : plan_on_grid(args);

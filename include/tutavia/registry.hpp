@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tutavia/pull/shortcut.hpp"
+#include "tutavia/search/any_angle.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/bidirectional_astar.hpp"
 #include "tutavia/search/canonical_astar.hpp"
@@ -14,7 +15,9 @@
 #include "tutavia/search/dijkstra.hpp"
 #include "tutavia/search/jps.hpp"
 #include "tutavia/search/jps_plus.hpp"
+#include "tutavia/search/jps_theta_star.hpp"
 #include "tutavia/search/penalty_astar.hpp"
+#include "tutavia/search/theta_star.hpp"
 #include "tutavia/search/weighted_astar.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
@@ -86,14 +89,19 @@ AnySearch<S> erase_jps_plus() {
 /// Every searcher of the library that works on S, with default options.
 template <class S>
 std::vector<AnySearch<S>> all_searches() {
-  return {erase_search<S>(Dijkstra{}),
-          erase_search<S>(AStar{}),
-          erase_search<S>(WeightedAStar{}),
-          erase_search<S>(CanonicalAStar{}),
-          erase_search<S>(BidirectionalAStar{}),
-          erase_search<S>(PenaltyAStar{}),
-          erase_search<S>(Jps{}),
-          erase_jps_plus<S>()};
+  std::vector<AnySearch<S>> all{erase_search<S>(Dijkstra{}),
+                                erase_search<S>(AStar{}),
+                                erase_search<S>(WeightedAStar{}),
+                                erase_search<S>(CanonicalAStar{}),
+                                erase_search<S>(BidirectionalAStar{}),
+                                erase_search<S>(PenaltyAStar{}),
+                                erase_search<S>(Jps{}),
+                                erase_jps_plus<S>(),
+                                erase_search<S>(ThetaStar{}),
+                                erase_search<S>(LazyThetaStar{}),
+                                erase_search<S>(JpsThetaStar{})};
+  if constexpr (Searcher<AnyAngle, S>) all.push_back(erase_search<S>(AnyAngle{}));
+  return all;
 }
 
 /// Every smoother of the library that works on S, with default options.

@@ -170,6 +170,8 @@ class OccupancyGrid {
         reciprocal_(((std::uint64_t{1} << reciprocal_shift_) + words_per_row - 1) / words_per_row),
         bits_(words_per_row * (static_cast<std::size_t>(height) + 2) + 1, 0) {}
 
+  friend OccupancyGrid transposed(const OccupancyGrid& grid);
+
   int width_;
   int height_;
   std::size_t stride_;

@@ -9,28 +9,12 @@
 
 #include "tutavia/grid/bits.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/grid/transposed.hpp"
 
 /// \file
 /// StopPlanes: where straight jumps end.
 
 namespace tutavia {
-
-namespace detail {
-
-/// Transposes 64 x 64 bits in place, by swapping ever smaller blocks (Warren 2012, "Hacker's
-/// delight", section 7-3).
-inline void transpose_64(std::array<std::uint64_t, 64>& rows) {
-  std::uint64_t mask = 0xFFFFFFFFu;
-  for (std::size_t width = 32; width > 0; width /= 2, mask ^= mask << width) {
-    for (std::size_t row = 0; row < 64; row = ((row | width) + 1) & ~width) {
-      const std::uint64_t swapped = ((rows[row] >> width) ^ rows[row | width]) & mask;
-      rows[row] ^= swapped << width;
-      rows[row | width] ^= swapped;
-    }
-  }
-}
-
-}  // namespace detail
 
 /// For each of the four straight directions a bit per cell: set where a jump in that direction has
 /// to stop, because the cell is blocked or has a forced neighbour under `no_cut`: a side that opens
@@ -47,8 +31,7 @@ class StopPlanes {
     const std::size_t rows = static_cast<std::size_t>(grid.height()) + 2;
     const std::size_t columns = static_cast<std::size_t>(grid.width()) + 2;
     build(grid.words(), row_stride_ / 64, rows, planes_[0], planes_[2]);
-    build(transposed(grid.words(), rows, columns), column_stride_ / 64, columns, planes_[1],
-          planes_[3]);
+    build(transposed(grid).words(), column_stride_ / 64, columns, planes_[1], planes_[3]);
   }
 
   /// Where a cell stands in the planes.
@@ -112,24 +95,6 @@ class StopPlanes {
       }
       first -= loaded_bits;
     }
-  }
-
-  static Words transposed(const Words& words, std::size_t rows, std::size_t columns) {
-    const std::size_t per_row = (columns + 63) / 64, per_column = (rows + 63) / 64;
-    Words result(columns * per_column, 0);
-    std::array<std::uint64_t, 64> block;
-    for (std::size_t i = 0; i < per_column; ++i) {
-      for (std::size_t j = 0; j < per_row; ++j) {
-        for (std::size_t k = 0; k < 64; ++k) {
-          block[k] = 64 * i + k < rows ? words[(64 * i + k) * per_row + j] : 0;
-        }
-        detail::transpose_64(block);
-        for (std::size_t k = 0; k < 64 && 64 * j + k < columns; ++k) {
-          result[(64 * j + k) * per_column + i] = block[k];
-        }
-      }
-    }
-    return result;
   }
 
   /// Stops towards higher bits and towards lower ones, for lines of `per_line` words.

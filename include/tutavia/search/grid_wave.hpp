@@ -16,6 +16,7 @@
 #include "tutavia/search/bucket_queue.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/grid_labels.hpp"
+#include "tutavia/search/heuristic.hpp"
 #include "tutavia/search/linked_query.hpp"
 #include "tutavia/world/frame.hpp"
 
@@ -28,22 +29,6 @@ namespace tutavia {
 struct GridWaveScratch {
   GridLabels labels;
   Buckets buckets;
-};
-
-/// The heuristic of Dijkstra's algorithm.
-struct ZeroHeuristic {
-  /// Buckets narrower than a straight step: no cell is expanded twice.
-  static constexpr int bucket_shift = 13;
-  Cost operator()(Cell) const { return 0; }
-};
-
-/// Octile distance to a cell, plus `offset` (see LinkedQuery); consistent.
-struct OctileHeuristic {
-  /// A step raises f by no more than two diagonals, and so stays within 63 buckets.
-  static constexpr int bucket_shift = 10;
-  Cell goal{};
-  Cost offset = 0;
-  Cost operator()(Cell cell) const { return std::max(Cost{0}, octile_cost(cell, goal) + offset); }
 };
 
 /// One wave of expansions from a set of first cells, least f = g + h first. A* is one wave, and so

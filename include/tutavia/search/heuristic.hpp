@@ -53,4 +53,20 @@ class GoalEstimate {
   Cost offset_ = 0;
 };
 
+/// The heuristic of Dijkstra's algorithm.
+struct ZeroHeuristic {
+  /// Buckets narrower than a straight step: no cell is expanded twice.
+  static constexpr int bucket_shift = 13;
+  Cost operator()(Cell) const { return 0; }
+};
+
+/// Octile distance to a cell, plus `offset` (see LinkedQuery); consistent.
+struct OctileHeuristic {
+  /// A step raises f by no more than two diagonals, and so stays within 63 buckets.
+  static constexpr int bucket_shift = 10;
+  Cell goal{};
+  Cost offset = 0;
+  Cost operator()(Cell cell) const { return std::max(Cost{0}, octile_cost(cell, goal) + offset); }
+};
+
 }  // namespace tutavia

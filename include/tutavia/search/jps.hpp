@@ -17,6 +17,50 @@ concept JumpSpace = GridSpace<S> && requires(const S& s) {
   { s.stop_planes() } -> std::same_as<const StopPlanes&>;
 };
 
+/// Scans for jump points in the stop planes of a grid (see JumpSearch).
+struct PlaneScanner {
+  OccupancyGrid::View grid;
+  const StopPlanes& planes;
+
+  void prefetch(Cell) const {}
+
+  template <std::size_t Step>
+  int straight(Cell from) const {
+    return straight<Step>(planes.place(from));
+  }
+  template <std::size_t Step>
+  int straight(const StopPlanes::Place& from) const {
+    const int distance = planes.template jump<Step>(from);
+    const auto steps_on = static_cast<std::size_t>(distance);
+    const std::size_t stop = Step == 0   ? from.in_rows + steps_on
+                             : Step == 2 ? from.in_rows + steps_on * grid.stride
+                             : Step == 4 ? from.in_rows - steps_on
+                                         : from.in_rows - steps_on * grid.stride;
+    return grid.is_free(stop) ? distance : 1 - distance;
+  }
+
+  template <std::size_t Step, class Visit>
+  void diagonal(Cell from, Cell goal, Visit visit) const {
+    constexpr Cell d = steps[Step];
+    constexpr std::size_t horizontal = d.x == 1 ? 0 : 4, vertical = d.y == 1 ? 2 : 6;
+    const auto by = [](int sign, std::size_t offset) { return sign == 1 ? offset : -offset; };
+    const std::size_t beside_x = by(d.x, 1), beside_y = by(d.y, grid.stride);
+    const std::size_t along_columns = by(d.x, planes.column_stride()) + by(d.y, 1);
+    // After so many steps the goal's row and column are met.
+    const int at_row = (goal.y - from.y) * d.y, at_column = (goal.x - from.x) * d.x;
+    StopPlanes::Place at = planes.place(from);
+    for (int k = 1; grid.is_free(at.in_rows + beside_x) && grid.is_free(at.in_rows + beside_y) &&
+                    grid.is_free(at.in_rows + beside_x + beside_y);
+         ++k) {
+      at.in_rows += beside_x + beside_y;
+      at.in_columns += along_columns;
+      const int sideways = straight<horizontal>(at), upright = straight<vertical>(at);
+      const bool near_goal = std::abs(at_row - k) <= 1 || std::abs(at_column - k) <= 1;
+      if (sideways > 0 || upright > 0 || near_goal) visit(k, sideways, upright);
+    }
+  }
+};
+
 /// Jump point search: A* that jumps over all cells which only continue a path. Same answers as A*
 /// in length; far faster where there is room to jump. Needs the movement rule `no_cut`, else
 /// `invalid_option`; other guarantees and errors as for AStar.
@@ -35,50 +79,6 @@ struct Jps {
     const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
     return jump_search(space, query, scanner, scratch, observer);
   }
-
- private:
-  struct PlaneScanner {
-    OccupancyGrid::View grid;
-    const StopPlanes& planes;
-
-    void prefetch(Cell) const {}
-
-    template <std::size_t Step>
-    int straight(Cell from) const {
-      return straight<Step>(planes.place(from));
-    }
-    template <std::size_t Step>
-    int straight(const StopPlanes::Place& from) const {
-      const int distance = planes.template jump<Step>(from);
-      const auto steps_on = static_cast<std::size_t>(distance);
-      const std::size_t stop = Step == 0   ? from.in_rows + steps_on
-                               : Step == 2 ? from.in_rows + steps_on * grid.stride
-                               : Step == 4 ? from.in_rows - steps_on
-                                           : from.in_rows - steps_on * grid.stride;
-      return grid.is_free(stop) ? distance : 1 - distance;
-    }
-
-    template <std::size_t Step, class Visit>
-    void diagonal(Cell from, Cell goal, Visit visit) const {
-      constexpr Cell d = steps[Step];
-      constexpr std::size_t horizontal = d.x == 1 ? 0 : 4, vertical = d.y == 1 ? 2 : 6;
-      const auto by = [](int sign, std::size_t offset) { return sign == 1 ? offset : -offset; };
-      const std::size_t beside_x = by(d.x, 1), beside_y = by(d.y, grid.stride);
-      const std::size_t along_columns = by(d.x, planes.column_stride()) + by(d.y, 1);
-      // After so many steps the goal's row and column are met.
-      const int at_row = (goal.y - from.y) * d.y, at_column = (goal.x - from.x) * d.x;
-      StopPlanes::Place at = planes.place(from);
-      for (int k = 1; grid.is_free(at.in_rows + beside_x) && grid.is_free(at.in_rows + beside_y) &&
-                      grid.is_free(at.in_rows + beside_x + beside_y);
-           ++k) {
-        at.in_rows += beside_x + beside_y;
-        at.in_columns += along_columns;
-        const int sideways = straight<horizontal>(at), upright = straight<vertical>(at);
-        const bool near_goal = std::abs(at_row - k) <= 1 || std::abs(at_column - k) <= 1;
-        if (sideways > 0 || upright > 0 || near_goal) visit(k, sideways, upright);
-      }
-    }
-  };
 };
 
 }  // namespace tutavia

@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "tutavia/core/budget.hpp"
@@ -18,6 +19,7 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/grid/successors.hpp"
 #include "tutavia/search/concepts.hpp"
+#include "tutavia/search/heuristic.hpp"
 #include "tutavia/search/jump_labels.hpp"
 #include "tutavia/search/jump_queue.hpp"
 #include "tutavia/search/linked_query.hpp"
@@ -28,10 +30,23 @@
 namespace tutavia {
 
 /// Memory of a jump point search.
-struct JumpScratch {
+template <class Open>
+struct JumpScratchWith {
   JumpLabels labels;
-  JumpQueue open;
+  Open open;
   std::vector<Cell> cells;
+};
+using JumpScratch = JumpScratchWith<JumpQueue>;
+
+/// What guides jump point search proper: octile distance, and no looking back.
+struct OctileGuide {
+  using Open = JumpQueue;
+  static constexpr bool looks_back = false;
+
+  explicit OctileGuide(const LinkedQuery& linked) : octile{linked.goal_cell, linked.goal_offset} {}
+  Cost estimate(Cell cell) const { return octile(cell); }
+
+  OctileHeuristic octile;
 };
 
 /// A* over the jump points of a grid under `no_cut`.
@@ -45,14 +60,19 @@ struct JumpScratch {
 /// one of the two straight jumps from there leads to a jump point, or to a goal next to the cell
 /// `goal`; the jumps are as `straight` has them. `scanner.prefetch(cell)` says that a cell will be
 /// jumped from.
-template <class Scanner, Observer O>
+///
+/// A `Guide` has the open list's type and estimates the cost to the goal; with `looks_back` the
+/// jump points that a cell's parent sees become its own, by `guide.sees(a, b)`.
+template <class Scanner, class Guide, Observer O>
 class JumpSearch {
  public:
   JumpSearch(const OccupancyGrid& grid, const Frame& frame, const Scanner& scanner,
-             const LinkedQuery& linked, JumpScratch& scratch, O& observer, Statistics& stats)
+             const Guide& guide, const LinkedQuery& linked,
+             JumpScratchWith<typename Guide::Open>& scratch, O& observer, Statistics& stats)
       : grid_(grid.view()),
         frame_(frame),
         scanner_(scanner),
+        guide_(guide),
         table_(canonical_table(MovementRule::no_cut)),
         linked_(linked),
         labels_(scratch.labels),
@@ -73,12 +93,12 @@ class JumpSearch {
     while (!open_.empty()) {
       const Cost least_key = open_.advance();
       if (least_key >= best_) break;
-      const JumpQueue::Entry entry = open_.pop();
+      const auto entry = open_.pop();
       const std::uint64_t label = labels_[entry.node].word;
       if (LabelWords::note(label) != entry.note) continue;  // a better way has overtaken it
       const Cell cell = grid_.cell(entry.node);
       const Cost g = labels_.words().g(label);
-      if (least_key > best_ - JumpQueue::width && g + estimate(cell) >= best_) continue;
+      if (least_key > best_ - Open::width && g + estimate(cell) >= best_) continue;
       if (stats_.expanded >= budget.max_expansions) {
         return Failure{.code = PlanError::budget_exhausted};
       }
@@ -101,7 +121,8 @@ class JumpSearch {
         const int dx = to.x - from.x, dy = to.y - from.y;
         const int diagonal = std::min(std::abs(dx), std::abs(dy));
         const Cell turn{from.x + diagonal * sign(dx), from.y + diagonal * sign(dy)};
-        if (turn != from && turn != to) cells.push_back(turn);
+        const bool bends = turn != from && turn != to && !sees(from, to);
+        if (bends) cells.push_back(turn);
         cells.push_back(from);
       }
       const auto index = static_cast<std::uint32_t>(grid_.index(from));
@@ -113,13 +134,12 @@ class JumpSearch {
   }
 
  private:
+  using Open = typename Guide::Open;
   static constexpr Cost none = std::numeric_limits<Cost>::max();
 
   static int sign(int value) { return (value > 0) - (value < 0); }
 
-  Cost estimate(Cell cell) const {
-    return std::max(Cost{0}, octile_cost(cell, linked_.goal_cell) + linked_.goal_offset);
-  }
+  Cost estimate(Cell cell) const { return guide_.estimate(cell); }
 
   void expand(Cell from, Cost g, std::size_t arrival) {
     ++stats_.expanded;
@@ -192,8 +212,10 @@ class JumpSearch {
 
   /// Labels the noted cells, which are reached from `parent`.
   void reach_noted(Cell parent) {
-    const auto from = static_cast<std::uint32_t>(grid_.index(parent));
-    for (const Reached& to : std::span(reached_.data(), noted_)) {
+    for (Reached& to : std::span(reached_.data(), noted_)) {
+      auto from = static_cast<std::uint32_t>(grid_.index(parent));
+      const bool first = LabelWords::arrival(to.label) == no_step;
+      if (Guide::looks_back && !first) from = look_back(to, from);
       if (!labels_.improve(to.index, to.label, from)) continue;
       const Cost f = labels_.words().g(to.label) + estimate(to.cell);
       if (f >= best_) continue;
@@ -206,18 +228,40 @@ class JumpSearch {
   }
 
   struct Reached {
-    std::uint64_t label;
+    std::uint64_t label;  // see LabelWords
     Cell cell;
     std::uint32_t index;
   };
 
+  /// Shortens the way to a cell by a straight line from the parent of `parent`, or else from
+  /// `parent` itself; returns where it begins.
+  std::uint32_t look_back(Reached& to, std::uint32_t parent) {
+    for (const std::uint32_t from : {labels_[parent].parent, parent}) {
+      const Cell cell = grid_.cell(from);
+      if (!sees(cell, to.cell)) continue;
+      const Cost g = labels_.words().g(labels_[from].word) + euclidean_cost(cell, to.cell);
+      to.label = labels_.words().word(g, LabelWords::arrival(to.label));
+      return from;
+    }
+    return parent;
+  }
+
+  bool sees(Cell a, Cell b) const {
+    if constexpr (Guide::looks_back) {
+      return guide_.sees(a, b);
+    } else {
+      return false;
+    }
+  }
+
   OccupancyGrid::View grid_;
   const Frame& frame_;
   const Scanner& scanner_;
+  const Guide& guide_;
   const CanonicalTable& table_;
   const LinkedQuery& linked_;
   JumpLabels& labels_;
-  JumpQueue& open_;
+  Open& open_;
   O& observer_;
   Statistics& stats_;
   Cost best_ = none;
@@ -226,19 +270,33 @@ class JumpSearch {
   std::size_t noted_ = 0;
 };
 
-/// What both variants do around the search.
-template <GridSpace S, class Scanner, Observer O>
+/// What all variants do around the search. `make_guide(linked)` makes the guide, `finish(cells)`
+/// may change the path found.
+template <GridSpace S, class Scanner, class MakeGuide, class Scratch, Observer O, class Finish>
 Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
-                                     JumpScratch& scratch, O& observer) {
+                                     const MakeGuide& make_guide, Scratch& scratch, O& observer,
+                                     const Finish& finish) {
   return search_grid(space, query, scratch.cells,
                      [&](const LinkedQuery& linked, std::vector<Cell>& cells,
                          Statistics& stats) -> std::optional<Failure> {
-                       JumpSearch<Scanner, O> search(space.grid(), space.frame(), scanner, linked,
-                                                     scratch, observer, stats);
+                       const auto guide = make_guide(linked);
+                       JumpSearch<Scanner, std::decay_t<decltype(guide)>, O> search(
+                           space.grid(), space.frame(), scanner, guide, linked, scratch, observer,
+                           stats);
                        if (auto failure = search.run(query.budget)) return failure;
                        search.trace(cells);
+                       finish(cells);
                        return std::nullopt;
                      });
+}
+
+/// Jump point search proper.
+template <GridSpace S, class Scanner, Observer O>
+Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
+                                     JumpScratch& scratch, O& observer) {
+  return jump_search(
+      space, query, scanner, [](const LinkedQuery& linked) { return OctileGuide(linked); }, scratch,
+      observer, [](std::vector<Cell>&) {});
 }
 
 }  // namespace tutavia

@@ -17,6 +17,7 @@
 #include "tutavia/geometry/exact_number.hpp"
 #include "tutavia/geometry/segment.hpp"
 #include "tutavia/grid/dilate.hpp"
+#include "tutavia/grid/line_of_sight.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/concepts.hpp"
 #include "tutavia/space/corner.hpp"
@@ -61,6 +62,11 @@ class CellSpace {
   const OccupancyGrid& grid() const { return layer_.grid(); }
   /// The cells that are not blocked themselves.
   const OccupancyGrid& cells() const { return cells_ ? *cells_ : layer_.grid(); }
+  /// The lower left corner of a cell, exactly; of cells beyond the map as well.
+  Point corner(Cell cell) const {
+    return {corner_.x() + layer_.frame().resolution * cell.x,
+            corner_.y() + layer_.frame().resolution * cell.y};
+  }
   const Frame& frame() const { return layer_.frame(); }
   MovementRule movement() const { return layer_.movement(); }
   const StopPlanes& stop_planes() const { return layer_.stop_planes(); }
@@ -68,6 +74,14 @@ class CellSpace {
     if (!bounds_.contains(p)) return {};
     return layer_.links(p, 0,
                         [this](const Point& a, const Point& b) { return segment_free(a, b); });
+  }
+
+  /// Whether the segment between the reference points of two cells is free. At safety radius 0 it
+  /// keeps to cells that a path may step on and, like steps under `no_cut`, touches no other;
+  /// otherwise it is free as any segment.
+  bool sees(Cell a, Cell b) const {
+    if (safety_radius_ == 0) return line_of_sight(grid().view(), layer_.columns().view(), a, b);
+    return segment_free(frame().point(a), frame().point(b));
   }
 
   const Box& bounds() const { return bounds_; }
@@ -124,20 +138,15 @@ class CellSpace {
   static SlantedStrip strip(const Segment& s) { return {s}; }
   static Strip strip(const Arc& arc) { return {arc.box()}; }
 
-  CellSpace(OccupancyGrid grid, std::optional<OccupancyGrid> cells, const Point& corner,
+  CellSpace(OccupancyGrid grid, std::optional<OccupancyGrid> cells, const Point& origin,
             const Frame& frame, const CellOptions& options)
       : layer_(std::move(grid), frame, options.movement),
         cells_(std::move(cells)),
-        corner_(corner),
-        bounds_{corner, line_crossing({layer_.grid().width(), layer_.grid().height()})},
+        corner_(origin),
+        bounds_{origin, corner({layer_.grid().width(), layer_.grid().height()})},
         safety_radius_(options.safety_radius),
         magnitude_(std::fmax(bounds_.magnitude(), safety_radius_)) {}
 
-  /// The lower left corner of a cell, exactly.
-  Point line_crossing(Cell cell) const {
-    return {corner_.x() + layer_.frame().resolution * cell.x,
-            corner_.y() + layer_.frame().resolution * cell.y};
-  }
   bool blocked(Cell cell) const { return cells().contains(cell) && !cells().is_free(cell); }
   int column(double x) const { return place(x, corner_.x(), cells().width()); }
   int row(double y) const { return place(y, corner_.y(), cells().height()); }
@@ -195,11 +204,11 @@ inline Expected<CellSpace, Failure> CellSpace::build(OccupancyGrid cells,
                     std::to_string(magnitude) + " m");
   }
   const auto snap = [&](double x) { return std::nearbyint(x / quantum) * quantum; };
-  const Point corner{snap(options.origin.x()), snap(options.origin.y())};
+  const Point origin{snap(options.origin.x()), snap(options.origin.y())};
   // Rounded up, so that a corridor of so many cells is never narrower than it was meant to be.
   const double side = std::ceil(size / (2 * quantum)) * 2 * quantum;
-  const Frame frame{{corner.x() + side / 2, corner.y() + side / 2}, side};
-  if (r == 0) return CellSpace(std::move(cells), std::nullopt, corner, frame, options);
+  const Frame frame{{origin.x() + side / 2, origin.y() + side / 2}, side};
+  if (r == 0) return CellSpace(std::move(cells), std::nullopt, origin, frame, options);
 
   // Squared distances between centres and squares are integers in units of half a cell.
   const auto squared = [](const ExactNumber& x) { return x * x; };
@@ -217,7 +226,7 @@ inline Expected<CellSpace, Failure> CellSpace::build(OccupancyGrid cells,
   const bool cuts_corners =
       options.movement == MovementRule::no_squeeze || options.movement == MovementRule::allow;
   OccupancyGrid grid = dilated(cells, least + (cuts_corners ? 2 : 0));
-  return CellSpace(std::move(grid), std::move(cells), corner, frame, options);
+  return CellSpace(std::move(grid), std::move(cells), origin, frame, options);
 }
 
 template <bool Boundary, class Visit>
@@ -252,16 +261,16 @@ void CellSpace::for_each_edge_near(const P& piece, double low, double high, doub
   const OccupancyGrid& map = cells();
   const double size = frame().resolution;
   const auto scan = [&](int y) {
-    const double bottom = line_crossing({0, y}).y(), margin = reach + 2 * slack();
+    const double bottom = corner({0, y}).y(), margin = reach + 2 * slack();
     const auto [x0, x1] = piece.range(bottom - margin, bottom + size + margin);
     for_each_blocked<true>(y, column(x0 - margin) - 1, column(x1 + margin) + 1, [&](Cell cell) {
       const auto index = static_cast<std::uint32_t>(map.index(cell));
       for (std::uint32_t side = 0; side < 4; ++side) {
         if (blocked(cell + steps[std::size_t{2} * side])) continue;
-        const auto corner = [&](std::uint32_t k) {  // counterclockwise from the lower right one
-          return line_crossing(cell + std::array<Cell, 4>{{{1, 0}, {1, 1}, {0, 1}, {0, 0}}}[k % 4]);
+        const auto corner_of = [&](std::uint32_t k) {  // counterclockwise from the lower right one
+          return corner(cell + std::array<Cell, 4>{{{1, 0}, {1, 1}, {0, 1}, {0, 0}}}[k % 4]);
         };
-        reach = std::min(reach, visit(Segment{corner(side), corner(side + 1)}, index, side));
+        reach = std::min(reach, visit(Segment{corner_of(side), corner_of(side + 1)}, index, side));
       }
     });
   };
@@ -269,9 +278,8 @@ void CellSpace::for_each_edge_near(const P& piece, double low, double high, doub
   const auto beyond = [&](double gap) { return gap > reach + 2 * slack(); };
   const int first = std::max(row(low) - 1, 0), last = std::min(row(high) + 1, map.height() - 1);
   for (int y = first; y <= last; ++y) scan(y);
-  for (int y = first - 1; y >= 0 && !beyond(low - line_crossing({0, y + 1}).y()); --y) scan(y);
-  for (int y = last + 1; y < map.height() && !beyond(line_crossing({0, y}).y() - high); ++y)
-    scan(y);
+  for (int y = first - 1; y >= 0 && !beyond(low - corner({0, y + 1}).y()); --y) scan(y);
+  for (int y = last + 1; y < map.height() && !beyond(corner({0, y}).y() - high); ++y) scan(y);
 }
 
 template <class P>
@@ -292,7 +300,7 @@ inline bool CellSpace::meets_inside(const Segment& s) const {
   const SlantedStrip range = strip(s);
   // The open square of a cell against the segment, by separating lines.
   const auto meets_open = [&](Cell cell) {
-    const Point low = line_crossing(cell), high = line_crossing(cell + Cell{1, 1});
+    const Point low = corner(cell), high = corner(cell + Cell{1, 1});
     if (!(box.max.x() > low.x() && box.min.x() < high.x() && box.max.y() > low.y() &&
           box.min.y() < high.y())) {
       return false;
@@ -308,7 +316,7 @@ inline bool CellSpace::meets_inside(const Segment& s) const {
   };
   const int last_row = row(box.max.y() + margin);
   for (int y = row(box.min.y() - margin); y <= last_row; ++y) {
-    const double bottom = line_crossing({0, y}).y();
+    const double bottom = corner({0, y}).y();
     const auto [x0, x1] = range.range(bottom - margin, bottom + size + margin);
     bool meets = false;
     for_each_blocked<false>(y, column(x0 - margin), column(x1 + margin),
@@ -330,19 +338,17 @@ inline bool CellSpace::runs_inside(const Box& box) const {
     }
     return any_blocked && all_solid;
   };
-  const bool on_row = line_crossing({0, y0}).y() == box.max.y() && box.min.y() == box.max.y();
-  const bool on_column = line_crossing({x0, 0}).x() == box.max.x() && box.min.x() == box.max.x();
+  const bool on_row = corner({0, y0}).y() == box.max.y() && box.min.y() == box.max.y();
+  const bool on_column = corner({x0, 0}).x() == box.max.x() && box.min.x() == box.max.x();
   if (on_row && on_column) {
     return between({{x0, y0}, {x0 - 1, y0}, {x0, y0 - 1}, {x0 - 1, y0 - 1}});
   }
   for (int x = x0 - 1; on_row && x <= x1; ++x) {
-    const bool over =
-        line_crossing({x, 0}).x() < box.max.x() && line_crossing({x + 1, 0}).x() > box.min.x();
+    const bool over = corner({x, 0}).x() < box.max.x() && corner({x + 1, 0}).x() > box.min.x();
     if (over && between({{x, y0}, {x, y0 - 1}})) return true;
   }
   for (int y = y0 - 1; on_column && y <= y1; ++y) {
-    const bool over =
-        line_crossing({0, y}).y() < box.max.y() && line_crossing({0, y + 1}).y() > box.min.y();
+    const bool over = corner({0, y}).y() < box.max.y() && corner({0, y + 1}).y() > box.min.y();
     if (over && between({{x0, y}, {x0 - 1, y}})) return true;
   }
   return false;
@@ -381,7 +387,7 @@ void CellSpace::for_each_corner(const Box& box, Visit visit) const {
                  se = blocked({x, y - 1});
       const int count = ne + nw + sw + se;
       const bool convex = count == 1 || (count == 2 && ne == sw);
-      const Point position = line_crossing({x, y});
+      const Point position = corner({x, y});
       if (convex && box.contains(position)) {
         visit(Corner{position, 0, std::numbers::pi / 2,
                      static_cast<std::uint32_t>(cells().index({x, y}))});

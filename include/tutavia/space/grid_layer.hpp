@@ -9,6 +9,7 @@
 
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/grid/stop_planes.hpp"
+#include "tutavia/grid/transposed.hpp"
 #include "tutavia/space/links.hpp"
 #include "tutavia/world/frame.hpp"
 
@@ -32,6 +33,12 @@ class GridLayer {
   const StopPlanes& stop_planes() const {
     std::call_once(lazy_->once, [this] { lazy_->planes.emplace(grid_); });
     return *lazy_->planes;
+  }
+
+  /// The grid with rows and columns exchanged, made likewise.
+  const OccupancyGrid& columns() const {
+    std::call_once(lazy_->columns_once, [this] { lazy_->columns.emplace(transposed(grid_)); });
+    return *lazy_->columns;
   }
 
   /// Joins `p` to the free cells whose reference points lie within sqrt(2) delta of it and which
@@ -69,6 +76,8 @@ class GridLayer {
   struct Lazy {
     std::once_flag once;
     std::optional<StopPlanes> planes;
+    std::once_flag columns_once;
+    std::optional<OccupancyGrid> columns;
   };
   std::shared_ptr<Lazy> lazy_ = std::make_shared<Lazy>();
 };

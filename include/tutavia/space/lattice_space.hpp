@@ -53,6 +53,9 @@ class LatticeSpace : public InflatedSpace {
                         [this](const Point& a, const Point& b) { return segment_free(a, b); });
   }
 
+  /// Whether the segment between two nodes is free.
+  bool sees(Cell a, Cell b) const { return segment_free(frame().point(a), frame().point(b)); }
+
  private:
   LatticeSpace(InflatedSpace space, GridLayer layer)
       : InflatedSpace(std::move(space)), layer_(std::move(layer)) {}

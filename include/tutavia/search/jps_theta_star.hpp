@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include "tutavia/pull/remove_redundant.hpp"
+#include "tutavia/search/jps.hpp"
+#include "tutavia/search/jump_heap.hpp"
+#include "tutavia/search/theta_star.hpp"
+
+/// \file
+/// JPS_Theta*: weighted jump point search with lines of sight.
+
+namespace tutavia {
+
+/// When JpsThetaStar uses lines of sight.
+enum class SightUse {
+  never,         ///< the route is that of the weighted jump point search
+  after_search,  ///< its bends are taken out where the node before sees the node after
+  in_search,     ///< as Theta* does, a jump point's parent may be any that sees it; then as above
+};
+
+/// Jump point search guided by Chebyshev distance h with the weight `far_weight` where h exceeds
+/// `switch_distance` cells and `near_weight` elsewhere, and lines of sight that take the bends out
+/// of its path.
+///
+/// Complete on the grid. Before bends are removed the path costs at most max(1, far_weight,
+/// near_weight) times a cheapest one; afterwards it is no longer than before. Needs the movement
+/// rule `no_cut`. `invalid_option` for another rule and for weights that are negative, not finite
+/// or above 10^6; other errors as for AStar. Source: Yang et al., "Improved A* based on fused
+/// Theta*"; its text describes lines of sight after the search, its name those of Theta* during it.
+struct JpsThetaStar {
+  static constexpr std::string_view name = "jps_theta_star";
+  using Scratch = JumpScratchWith<JumpHeap>;
+
+  double far_weight = 2.0;
+  double near_weight = 0.8;
+  double switch_distance = 12;  ///< [cells]
+  SightUse lines_of_sight = SightUse::after_search;
+
+  template <class S, Observer O = NoObserver>
+  requires JumpSpace<S> && SightSpace<S> Expected<Route, Failure> search(const S& space,
+                                                                         const Query& query,
+                                                                         Scratch& scratch,
+                                                                         O& observer)
+  const {
+    if (space.movement() != MovementRule::no_cut) {
+      return fail(PlanError::invalid_option,
+                  "jps_theta_star is defined for the movement rule no_cut");
+    }
+    for (const double weight : {far_weight, near_weight}) {
+      if (!(0 <= weight && weight <= 1e6)) {
+        return fail(PlanError::invalid_option, "weights must lie between 0 and 10^6");
+      }
+    }
+    const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
+    const auto straighten = [&](std::vector<Cell>& cells) {
+      if (lines_of_sight == SightUse::never) return;
+      remove_redundant(cells, [&](Cell a, Cell b) { return space.sees(a, b); });
+    };
+    if (lines_of_sight == SightUse::in_search) {
+      return jump_search(
+          space, query, scanner,
+          [&](const LinkedQuery& linked) {
+            return LookBackGuide<S>{{*this, linked.goal_cell}, space};
+          },
+          scratch, observer, straighten);
+    }
+    return jump_search(
+        space, query, scanner,
+        [&](const LinkedQuery& linked) {
+          return Guide{*this, linked.goal_cell};
+        },
+        scratch, observer, straighten);
+  }
+
+ private:
+  struct Guide {
+    using Open = JumpHeap;
+    static constexpr bool looks_back = false;
+
+    const JpsThetaStar& options;
+    Cell goal;
+
+    Cost estimate(Cell cell) const {
+      const double h = std::max(std::abs(cell.x - goal.x), std::abs(cell.y - goal.y));
+      const double weight = h > options.switch_distance ? options.far_weight : options.near_weight;
+      return static_cast<Cost>(weight * h * static_cast<double>(straight_cost));
+    }
+  };
+  template <class S>
+  struct LookBackGuide : Guide {
+    static constexpr bool looks_back = true;
+
+    const S& space;
+
+    bool sees(Cell a, Cell b) const { return space.sees(a, b); }
+  };
+};
+
+}  // namespace tutavia

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "tutavia/search/any_angle.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/corner_paths.hpp"
+#include "support/random_grids.hpp"
+#include "support/scale.hpp"
+#include "support/skip.hpp"
+#include "tutavia/certify/certify.hpp"
+#include "tutavia/io/moving_ai.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/search/theta_star.hpp"
+
+namespace {
+
+using namespace tutavia;
+
+/// The corners of a route on cells of side 1 with the origin at 0.
+std::vector<test::Half> halves(const Route& route) {
+  const auto half = [](const Point& p) {
+    return test::Half{std::llround(2 * p.x()), std::llround(2 * p.y())};
+  };
+  std::vector<test::Half> path{half(route.curve.start())};
+  for (const Piece& piece : route.curve.pieces()) path.push_back(half(end_of(piece)));
+  return path;
+}
+
+Point point(test::Half p) { return {static_cast<double>(p.x) / 2, static_cast<double>(p.y) / 2}; }
+
+TEST_CASE("any-angle paths are as short as a visibility graph's, between centres and corners",
+          "[soak]") {
+  const std::uint64_t seed = 600;
+  Random random(seed);
+  AnyAngle::Scratch scratch;
+  NoObserver nobody;
+  std::size_t found = 0, bent = 0;
+  for (std::size_t round = 0; round < test::scaled(300); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const auto space =
+        CellSpace::build(test::random_grid(random, random.below(10) == 0 ? 40 : 20)).value();
+    const OccupancyGrid& grid = space.grid();
+    const test::CornerRules rules(grid);
+    const auto place = [&] {
+      const Cell cell = test::random_cell(random, grid);
+      if (random.below(2) == 0) return test::centre_of(cell);
+      return test::corner_of(
+          cell + Cell{static_cast<int>(random.below(2)), static_cast<int>(random.below(2))});
+    };
+    const test::Half start = place(), goal = place();
+    if (!space.is_free(point(start)) || !space.is_free(point(goal))) continue;
+    const auto expected = rules.shortest(start, goal);
+    const auto route =
+        AnyAngle{}.search(space, {.start = point(start), .goal = point(goal)}, scratch, nobody);
+    INFO("from " << start.x << ", " << start.y << " to " << goal.x << ", " << goal.y
+                 << " in half cells");
+    REQUIRE(route.has_value() == expected.has_value());
+    if (!route) {
+      CHECK(route.error().code == PlanError::unreachable);
+      continue;
+    }
+    ++found;
+    bent += route->curve.pieces().size() > 1 ? 1 : 0;
+    CHECK(route->cost == Approx(*expected).epsilon(1e-9));
+    CHECK(route->curve.start() == point(start));
+    CHECK(route->curve.end() == point(goal));
+    CHECK(rules.allows(halves(*route)));
+    CHECK(certify(space, route->curve).status == ProofStatus::proved);
+  }
+  CHECK(found > test::scaled(300) / 3);
+  CHECK(bent > test::scaled(300) / 6);
+}
+
+TEST_CASE("no search on cells finds a shorter path than AnyAngle on the MovingAI maps") {
+  const char* folder = test::moving_ai_folder();
+  if (folder == nullptr) return;
+  NoObserver nobody;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".map") continue;
+    const auto space = CellSpace::build(read_moving_ai_map(entry.path()).value()).value();
+    const test::CornerRules rules(space.grid());
+    const auto scenario = read_moving_ai_scenario(entry.path().string() + ".scen").value();
+    AnyAngle::Scratch scratch;
+    ThetaScratch theta;
+    const std::size_t count = std::min(test::scaled(20), scenario.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const ScenarioRow& row = scenario[i * scenario.size() / count];
+      INFO(entry.path().string() << " line " << row.line);
+      const Query query{.start = space.frame().point(row.start),
+                        .goal = space.frame().point(row.goal)};
+      const auto route = AnyAngle{}.search(space, query, scratch, nobody);
+      REQUIRE(route);
+      CHECK(route->cost <= row.optimal_length + 0.02);
+      CHECK(rules.allows(halves(*route)));
+      const auto other = ThetaStar{}.search(space, query, theta, nobody).value();
+      const auto lazy = LazyThetaStar{}.search(space, query, theta, nobody).value();
+      CHECK(rules.allows(halves(other)));
+      CHECK(rules.allows(halves(lazy)));
+      CHECK(route->cost <= other.cost * (1 + 1e-9));
+      CHECK(route->cost <= lazy.cost * (1 + 1e-9));
+    }
+  }
+}
+
+}  // namespace
