@@ -21,7 +21,6 @@
 #include "baselines.hpp"
 #include "tutavia/io/moving_ai.hpp"
 #include "tutavia/io/write_file.hpp"
-#include "tutavia/search/any_angle.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/bidirectional_astar.hpp"
 #include "tutavia/search/canonical_astar.hpp"
@@ -30,7 +29,6 @@
 #include "tutavia/search/jps.hpp"
 #include "tutavia/search/jps_plus.hpp"
 #include "tutavia/search/penalty_astar.hpp"
-#include "tutavia/search/theta_star.hpp"
 #include "tutavia/search/weighted_astar.hpp"
 #include "tutavia/space/cell_space.hpp"
 
@@ -136,10 +134,6 @@ const std::map<std::string, MakeEngine>& engines() {
          result.preprocess_ms = prepare_ms;
          return result;
        }},
-      {"theta_star", [](const CellSpace& s) { return engine(s, ThetaStar{}, grid_bytes(s)); }},
-      {"lazy_theta_star",
-       [](const CellSpace& s) { return engine(s, LazyThetaStar{}, grid_bytes(s)); }},
-      {"any_angle", [](const CellSpace& s) { return engine(s, AnyAngle{}, grid_bytes(s)); }},
       {"textbook_astar",
        [](const CellSpace& s) { return baseline_engine<baseline::TextbookAStar>(s); }},
       {"boost_astar",
