@@ -71,6 +71,7 @@
 #include "tutavia/search/linked_query.hpp"
 #include "tutavia/search/penalty_astar.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/rectangle_mesh.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/search/row_runs.hpp"
 #include "tutavia/search/theta_star.hpp"

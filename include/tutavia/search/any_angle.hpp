@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "tutavia/core/zeroed_array.hpp"
 #include "tutavia/geometry/predicates.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/rectangle_mesh.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/search/row_runs.hpp"
 #include "tutavia/search/wave_search.hpp"
@@ -203,6 +205,7 @@ class AnyAngleSearch {
       const auto from = position(root);
       const bool right = length(from, position(node.right)) < length(from, position(node.left));
       const Cell end = right ? node.right : node.left;
+      if (!is_corner(end)) return;  // on either side of the line there is more to see
       g += length(from, position(end));
       if (!bend(end, g, root)) return;
       root = id(end);
@@ -239,6 +242,9 @@ class AnyAngleSearch {
       const int left_of_right = side_of(node.root, node.right_ray, left);
       const int right_of_left = side_of(node.root, node.left_ray, right);
       const int left_of_left = side_of(node.root, node.left_ray, left);
+      const bool on_ray =
+          (right_of_right == 0 && left_of_right == 0) || (right_of_left == 0 && left_of_left == 0);
+      if (on_ray) succeed(node.root, node.g, right, left, right, left, piece);  // bends at its end
       if (right_of_right < 0 && by_right && bend(node.right, *by_right, node.root)) {
         succeed(id(node.right), *by_right, right, left, right, left, piece);
       }
@@ -419,7 +425,8 @@ class AnyAngleSearch {
 /// blocked cells that share a side or only a corner. Optimal to rounding (1e-12 relative): what is
 /// in view is decided by exact arithmetic. Start and goal may lie anywhere, on a corner where two
 /// blocked cells touch they are reached from either side. For safety radius 0, else
-/// `invalid_option`. Errors: those of `check_query`; `unreachable` (proved); what the budget says.
+/// `invalid_option`; so is a mesh of another size (one of another grid of the same size is not
+/// noticed). Errors: those of `check_query`; `unreachable` (proved); what the budget says.
 ///
 /// A search over sides of rectangles and the parts of them that a bend of the path has in view.
 /// Source: Harabor, Grastien, Oz and Aksakalli 2016, "Optimal any-angle pathfinding in practice"
@@ -428,6 +435,14 @@ class AnyAngleSearch {
 struct AnyAngle {
   static constexpr std::string_view name = "any_angle";
   using Scratch = AnyAngleScratch;
+  using Prepared = RectangleMesh;
+
+  std::shared_ptr<const RectangleMesh> mesh{};  ///< none: rows are looked at as they come
+
+  /// The mesh of a space's cells.
+  static std::shared_ptr<const RectangleMesh> prepare(const CellSpace& space) {
+    return std::make_shared<const RectangleMesh>(RectangleMesh::build(space.cells()));
+  }
 
   template <Observer O = NoObserver>
   Expected<Route, Failure> search(const CellSpace& space, const Query& query, Scratch& scratch,
@@ -436,9 +451,19 @@ struct AnyAngle {
       return fail(PlanError::invalid_option, "any_angle is defined for safety radius 0");
     }
     if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
+    if (mesh == nullptr) return search_in(RowRuns(space.cells()), space, query, scratch, observer);
+    if (mesh->width() != space.cells().width() || mesh->height() != space.cells().height()) {
+      return fail(PlanError::invalid_option, "any_angle needs the mesh prepared for this grid");
+    }
+    return search_in(*mesh, space, query, scratch, observer);
+  }
+
+ private:
+  template <class Pieces, Observer O>
+  static Expected<Route, Failure> search_in(const Pieces& pieces, const CellSpace& space,
+                                            const Query& query, Scratch& scratch, O& observer) {
     Route route;
-    const RowRuns pieces(space.cells());
-    detail::AnyAngleSearch<RowRuns, O> search(space, pieces, query, scratch, observer, route.stats);
+    detail::AnyAngleSearch<Pieces, O> search(space, pieces, query, scratch, observer, route.stats);
     if (auto failure = search.run()) {
       failure->stats = route.stats;
       return Unexpected{std::move(*failure)};
