@@ -52,8 +52,8 @@ class CornerRules {
   /// Whether a segment meets no inside of a blocked cell, does not run between two blocked cells
   /// and passes no double corner between its ends.
   bool allows(Half a, Half b) const {
-    const auto [x0, x1] = std::minmax({a.x, b.x});
-    const auto [y0, y1] = std::minmax({a.y, b.y});
+    const std::int64_t x0 = std::min(a.x, b.x), x1 = std::max(a.x, b.x);
+    const std::int64_t y0 = std::min(a.y, b.y), y1 = std::max(a.y, b.y);
     if (x0 < 0 || y0 < 0 || x1 > 2 * grid_.width() || y1 > 2 * grid_.height()) return false;
     // Columns within reach of the segment in a row of cells, generously.
     const auto columns = [&](std::int64_t y) {
@@ -69,8 +69,8 @@ class CornerRules {
       for (std::int64_t x = first; x <= last; ++x) {
         if (crosses_inside(a, b, x, y) && blocked(x, y)) return false;
         const Half p{2 * x, 2 * y};
-        const bool between = std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && y0 <= p.y &&
-                             p.y <= y1 && side(a, b, p) == 0 && p != a && p != b;
+        const bool between = x0 <= p.x && p.x <= x1 && y0 <= p.y && p.y <= y1 &&
+                             side(a, b, p) == 0 && p != a && p != b;
         if (between && is_double_corner(p)) return false;
       }
     }

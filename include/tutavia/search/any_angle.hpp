@@ -371,10 +371,8 @@ class AnyAngleSearch {
 
   /// Whether a blocked cell, or what lies beyond the map, touches a corner.
   bool is_corner(Cell corner) const {
-    for (const Cell d : {Cell{0, 0}, Cell{-1, 0}, Cell{0, -1}, Cell{-1, -1}}) {
-      if (!grid_.is_free(corner + d)) return true;
-    }
-    return false;
+    return !grid_.is_free(corner) || !grid_.is_free(corner + Cell{-1, 0}) ||
+           !grid_.is_free(corner + Cell{0, -1}) || !grid_.is_free(corner + Cell{-1, -1});
   }
 
   /// Coordinates in cells from the map's lower left corner; rounded, so for lengths alone.

@@ -156,12 +156,13 @@ class ThetaSearch {
     }
   }
 
-  void reach(std::uint32_t node, double g, std::uint32_t parent) {
+  void reach(std::uint32_t reached, double g, std::uint32_t parent) {
     ++stats_.generated;
-    if constexpr (!std::same_as<O, NoObserver>) observer_.generated(point(node));
-    labels_.set(node, g, parent);
-    labels_.open.push(static_cast<Cost>((g + estimate(node)) * static_cast<double>(straight_cost)),
-                      node, 0);
+    if constexpr (!std::same_as<O, NoObserver>) observer_.generated(point(reached));
+    labels_.set(reached, g, parent);
+    labels_.open.push(
+        static_cast<Cost>((g + estimate(reached)) * static_cast<double>(straight_cost)), reached,
+        0);
   }
 
   /// Lazy Theta*: a node whose parent does not see it goes by the best of its closed neighbours.
