@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -268,9 +269,10 @@ std::vector<Algorithm> select(const std::vector<Algorithm>& all, const std::stri
     const auto found = std::find_if(
         all.begin(), all.end(), [&](const Algorithm& candidate) { return candidate.name == name; });
     if (found == all.end()) {
-      std::string known;
-      for (const Algorithm& candidate : all) known.append(" ").append(candidate.name);
-      throw UsageError{option + ": unknown name \"" + name + "\"; known:" + known};
+      std::string message = option;
+      message.append(": unknown name \"").append(name).append("\"; known:");
+      for (const Algorithm& candidate : all) message.append(" ").append(candidate.name);
+      throw UsageError{message};
     }
     selected.push_back(*found);
     begin = end + 1;
@@ -294,18 +296,18 @@ std::vector<Result> run(const S& space, const Scene& scene, const Arguments& arg
 }
 
 std::string to_text(const Point& p) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "(%g, %g)", p.x(), p.y());
-  return buffer;
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "(%g, %g)", p.x(), p.y());
+  return buffer.data();
 }
 
 /// "-12.3 %": by how much `after` differs from `before`; for counts that stay 0, "0.0 %".
 std::string change(double before, double after) {
   if (before == 0 && after != 0) return "new";
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%+.1f %%",
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%+.1f %%",
                 before == 0 ? 0.0 : 100 * (after - before) / before);
-  return buffer;
+  return buffer.data();
 }
 
 constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
@@ -419,6 +421,7 @@ int plan_in(const S& space, const Scene& scene, const Arguments& args, bool draw
   const bool table = args.json != "-";
   std::vector<std::vector<Result>> groups;
   if (args.compare) {
+    groups.reserve(searches.size() + smoothers.size());
     for (const auto& search : searches) {
       groups.push_back(run(space, scene, args, search, chosen_smoothers[0]));
     }
