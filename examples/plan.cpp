@@ -501,6 +501,16 @@ int plan_in_workspace(const Arguments& args, bool draw_default) {
   return plan_in(space, scene, args, draw_default, false);
 }
 
+/// Refuses names that are none before anything is loaded or printed.
+template <class S>
+void check_names(const Arguments& args) {
+  const auto named_searches = select(all_searches<S>(), "--search", args.search);
+  const auto named_smoothers = select(all_smoothers<S>(), "--smoother", args.smoother);
+  if (args.compare && (named_searches.size() > 1 || named_smoothers.size() > 1)) {
+    throw UsageError{"--compare takes one --search and one --smoother to hold the others against"};
+  }
+}
+
 int plan(const Arguments& args, bool draw_default) {
   if (args.list) {
     std::cout << "search:";
@@ -510,11 +520,10 @@ int plan(const Arguments& args, bool draw_default) {
     std::cout << '\n';
     return 0;
   }
-  const auto is_list = [](const std::string& names) {
-    return names.find(',') != std::string::npos;
-  };
-  if (args.compare && (is_list(args.search) || is_list(args.smoother))) {
-    throw UsageError{"--compare takes one --search and one --smoother to hold the others against"};
+  if (args.grid.empty()) {
+    check_names<LatticeSpace>(args);
+  } else {
+    check_names<CellSpace>(args);
   }
   return args.grid.empty() ? plan_in_workspace(args, draw_default) : plan_on_grid(args);
 }

@@ -10,6 +10,7 @@
 
 #include "support/catch.hpp"
 #include "support/explicit_graph.hpp"
+#include "support/free_route.hpp"
 #include "support/random_grids.hpp"
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
@@ -46,11 +47,7 @@ void check_route(const S& space, const Query& query, const Expected<Route, Failu
   CHECK(route->cost == Approx(*expected).epsilon(0).margin(tolerance));
   CHECK(route->curve.start() == query.start);
   CHECK(route->curve.end() == query.goal);
-  bool free = true;
-  for (const Piece& piece : route->curve.pieces()) {
-    free = free && space.segment_free(start_of(piece), end_of(piece));
-  }
-  CHECK(free);
+  CHECK(test::is_free(space, *route));
 }
 
 /// Scratch memories that live through all queries, as a planner's do.

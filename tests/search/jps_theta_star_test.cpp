@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "support/free_route.hpp"
 #include "support/random_grids.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
@@ -51,11 +52,7 @@ TEST_CASE("JPS_Theta* keeps its bound and gains by lines of sight on random grid
     for (const auto* route : {&*never, &*pruned, &*looked}) {
       CHECK(route->curve.start() == query.start);
       CHECK(route->curve.end() == query.goal);
-      bool free = true;
-      for (const Piece& piece : route->curve.pieces()) {
-        free = free && space.segment_free(start_of(piece), end_of(piece));
-      }
-      REQUIRE(free);
+      REQUIRE(test::is_free(space, *route));
       CHECK(route->cost <= 2 * shortest->cost * (1 + 1e-12));
     }
     CHECK(pruned->cost <= never->cost * (1 + 1e-12));

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "support/free_route.hpp"
 #include "support/random_grids.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/certify/certify.hpp"
@@ -17,18 +18,6 @@ using namespace tutavia;
 
 TEST_CASE("Theta* keeps the searcher contract") { test::searcher_contract(ThetaStar{}); }
 TEST_CASE("Lazy Theta* keeps the searcher contract") { test::searcher_contract(LazyThetaStar{}); }
-
-/// Every segment of a route between cells keeps to free cells, by a test that shares nothing with
-/// the search's: no blocked square meets the segment.
-template <class S>
-std::size_t count_blocked(const S& space, const Route& route) {
-  std::size_t blocked = 0;
-  for (const Piece& piece : route.curve.pieces()) {
-    const Point a = start_of(piece), b = end_of(piece);
-    if (!space.segment_free(a, b)) ++blocked;
-  }
-  return blocked;
-}
 
 /// Where A* finds a path, so does `algorithm`; in free space, and about as short at most.
 template <class A>
@@ -60,7 +49,7 @@ void check_on_cells(const A& algorithm, std::uint64_t seed, double largest_ratio
       continue;
     }
     ++found;
-    REQUIRE(count_blocked(space, *route) == 0);
+    REQUIRE(test::is_free(space, *route));
     CHECK(route->curve.start() == query.start);
     CHECK(route->curve.end() == query.goal);
     CHECK(route->cost == Approx(route->curve.length()));

@@ -12,13 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/core/statistics.hpp"
 #include "tutavia/core/zeroed_array.hpp"
 #include "tutavia/geometry/predicates.hpp"
+#include "tutavia/search/concepts.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/rectangle_mesh.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/search/row_runs.hpp"
-#include "tutavia/search/wave_search.hpp"
 #include "tutavia/space/cell_space.hpp"
 
 /// \file

@@ -99,11 +99,8 @@ class JumpSearch {
       const Cell cell = grid_.cell(entry.node);
       const Cost g = labels_.words().g(label);
       if (least_key > best_ - Open::width && g + estimate(cell) >= best_) continue;
-      if (stats_.expanded >= budget.max_expansions) {
-        return Failure{.code = PlanError::budget_exhausted};
-      }
-      if (stats_.expanded % 64 == 0) {
-        if (const auto code = budget.exceeded()) return Failure{.code = *code};
+      if (detail::is_checked(budget, stats_.expanded, 64)) {
+        if (auto failure = detail::exceeded(budget, stats_.expanded)) return failure;
       }
       expand(cell, g, LabelWords::arrival(label));
     }

@@ -69,4 +69,20 @@ std::optional<Failure> check_query(const S& space, const Query& query) {
   return check_endpoint(space, query.goal, false);
 }
 
+namespace detail {
+
+/// Whether to look at the budget before an expansion: the clock is read once in `every`.
+inline bool is_checked(const Budget& budget, std::uint64_t expanded, std::uint64_t every = 256) {
+  return expanded % every == 0 || expanded >= budget.max_expansions;
+}
+
+/// What ends a query, if it is to end.
+inline std::optional<Failure> exceeded(const Budget& budget, std::uint64_t expanded) {
+  if (expanded >= budget.max_expansions) return Failure{.code = PlanError::budget_exhausted};
+  if (const auto code = budget.exceeded()) return Failure{.code = *code};
+  return std::nullopt;
+}
+
+}  // namespace detail
+
 }  // namespace tutavia

@@ -12,10 +12,12 @@
 #include <string_view>
 #include <vector>
 
+#include "tutavia/core/statistics.hpp"
 #include "tutavia/core/zeroed_array.hpp"
+#include "tutavia/grid/successors.hpp"
+#include "tutavia/search/concepts.hpp"
 #include "tutavia/search/jump_queue.hpp"
 #include "tutavia/search/linked_query.hpp"
-#include "tutavia/search/wave_search.hpp"
 
 /// \file
 /// Theta* and Lazy Theta*: A* on a grid whose paths leave the grid's directions.

@@ -39,18 +39,6 @@ inline void trace(const OccupancyGrid& grid, const GridLabels::View& labels, Cel
   }
 }
 
-/// Whether to look at the budget before an expansion: the clock is read once in 256.
-inline bool is_checked(const Budget& budget, std::uint64_t expanded) {
-  return expanded % 256 == 0 || expanded >= budget.max_expansions;
-}
-
-/// What ends a query, if it is to end.
-inline std::optional<Failure> exceeded(const Budget& budget, std::uint64_t expanded) {
-  if (expanded >= budget.max_expansions) return Failure{.code = PlanError::budget_exhausted};
-  if (const auto code = budget.exceeded()) return Failure{.code = *code};
-  return std::nullopt;
-}
-
 }  // namespace detail
 
 /// Searches from the start's links to the goal's, and stops when no cell can lead to a cheaper
