@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tutavia/pull/shortcut.hpp"
+#include "tutavia/pull/string_pull.hpp"
 #include "tutavia/search/any_angle.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/bidirectional_astar.hpp"
@@ -107,8 +108,10 @@ std::vector<AnySearch<S>> all_searches() {
 /// Every smoother of the library that works on S, with default options.
 template <class S>
 std::vector<AnySmoother<S>> all_smoothers() {
-  return {erase_smoother<S>(NoSmoothing{}), erase_smoother<S>(Shortcut{}),
-          erase_smoother<S>(DeltaSmoother{})};
+  std::vector<AnySmoother<S>> all{erase_smoother<S>(NoSmoothing{}), erase_smoother<S>(Shortcut{}),
+                                  erase_smoother<S>(DeltaSmoother{})};
+  if constexpr (Smoother<StringPull, S>) all.push_back(erase_smoother<S>(StringPull{}));
+  return all;
 }
 
 }  // namespace tutavia

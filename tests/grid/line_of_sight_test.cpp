@@ -6,9 +6,11 @@
 #include <cstdlib>
 
 #include "support/catch.hpp"
+#include "support/corner_paths.hpp"
 #include "support/random_grids.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
+#include "tutavia/grid/transposed.hpp"
 
 namespace {
 
@@ -89,6 +91,60 @@ TEST_CASE("lines across the largest grids do not overflow") {
   grid.set({(1 << 19) + 7, 30}, false);
   CHECK_FALSE(line_of_sight(grid.view(), {0, 0}, {(1 << 20) - 1, 59}));
   CHECK(line_of_sight(grid.view(), {0, 59}, {(1 << 20) - 1, 40}));
+}
+
+TEST_CASE("lines of sight between all pairs of corners are what the competition's rules say") {
+  const std::uint64_t seed = 6;
+  Random random(seed);
+  std::size_t seen = 0, pairs = 0, wrong = 0;
+  for (std::size_t round = 0; round < test::scaled(100); ++round) {
+    const OccupancyGrid grid = test::random_grid(random, 20), columns = transposed(grid);
+    const test::CornerRules rules(grid);
+    const Cell a = test::random_cell(random, grid) +
+                   Cell{static_cast<int>(random.below(2)), static_cast<int>(random.below(2))};
+    for (int y = 0; y <= grid.height(); ++y) {
+      for (int x = 0; x <= grid.width(); ++x) {
+        const Cell b{x, y};
+        const bool expected = a == b || rules.allows(test::corner_of(a), test::corner_of(b));
+        if (corner_line_of_sight(grid.view(), columns.view(), a, b) != expected ||
+            corner_line_of_sight(grid.view(), columns.view(), b, a) != expected) {
+          ++wrong;
+        }
+        seen += expected ? 1 : 0;
+        ++pairs;
+      }
+    }
+    CAPTURE(seed, round);
+    REQUIRE(wrong == 0);
+  }
+  CHECK(seen > pairs / 20);
+  CHECK(seen < pairs / 2);
+}
+
+TEST_CASE("corners see each other along walls over many words of a row") {
+  OccupancyGrid grid = OccupancyGrid::blocked(400, 2).value();
+  grid.set_run(0, 0, 199, true);
+  grid.set_run(1, 150, 399, true);
+  const OccupancyGrid columns = transposed(grid);
+  const auto sees = [&](int from, int to) {
+    return corner_line_of_sight(grid.view(), columns.view(), {from, 1}, {to, 1});
+  };
+  CHECK(sees(0, 400));  // the two overlap from 150 to 199
+  for (const int hole : {150, 170, 199}) {
+    grid.set({hole, 1}, false);
+    CHECK(sees(0, 200));
+    CHECK(sees(0, 400) == (hole != 199));
+    grid.set({hole, 0}, false);
+    CHECK_FALSE(sees(0, 400));
+    grid.set({hole, 0}, true);
+    grid.set({hole, 1}, true);
+  }
+  // Free below up to 149, above from 150 on: two blocked cells touch by a corner at 150.
+  grid.set_run(0, 150, 199, false);
+  CHECK(sees(0, 150));
+  CHECK(sees(150, 400));
+  CHECK_FALSE(sees(0, 400));
+  CHECK_FALSE(sees(149, 151));
 }
 
 }  // namespace

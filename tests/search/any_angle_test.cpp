@@ -21,17 +21,23 @@ namespace {
 
 using namespace tutavia;
 
-/// The corners of a route on cells of side 1 with the origin at 0.
-std::vector<test::Half> halves(const Route& route) {
-  const auto half = [](const Point& p) {
-    return test::Half{std::llround(2 * p.x()), std::llround(2 * p.y())};
-  };
-  std::vector<test::Half> path{half(route.curve.start())};
-  for (const Piece& piece : route.curve.pieces()) path.push_back(half(end_of(piece)));
-  return path;
-}
-
 Point point(test::Half p) { return {static_cast<double>(p.x) / 2, static_cast<double>(p.y) / 2}; }
+
+/// A search on corners finds an allowed path, which is about as short as the shortest.
+template <class A>
+void check_corner_search(const CellSpace& space, const test::CornerRules& rules, const A& algorithm,
+                         const Query& query, double shortest) {
+  INFO(A::name);
+  NoObserver nobody;
+  typename A::Scratch scratch;
+  const auto route = algorithm.search(space, query, scratch, nobody);
+  REQUIRE(route);
+  CHECK(route->curve.start() == query.start);
+  CHECK(route->curve.end() == query.goal);
+  CHECK(rules.allows(test::joints_in_halves(route->curve)));
+  CHECK(route->cost >= shortest * (1 - 1e-9));
+  CHECK(route->cost <= shortest * 1.1);
+}
 
 TEST_CASE("any-angle paths are as short as a visibility graph's, between centres and corners",
           "[soak]") {
@@ -68,14 +74,17 @@ TEST_CASE("any-angle paths are as short as a visibility graph's, between centres
     CHECK(route->cost == Approx(*expected).epsilon(1e-9));
     CHECK(route->curve.start() == point(start));
     CHECK(route->curve.end() == point(goal));
-    CHECK(rules.allows(halves(*route)));
+    CHECK(rules.allows(test::joints_in_halves(route->curve)));
     CHECK(certify(space, route->curve).status == ProofStatus::proved);
-    const AnyAngle prepared{.mesh = AnyAngle::prepare(space)};
+    const AnyAngle prepared{.mesh = AnyAngle::prepare(space).value()};
     const auto again = prepared.search(space, {.start = point(start), .goal = point(goal)},
                                        prepared_scratch, nobody);
     REQUIRE(again);
     CHECK(again->cost == Approx(*expected).epsilon(1e-9));
-    CHECK(rules.allows(halves(*again)));
+    CHECK(rules.allows(test::joints_in_halves(again->curve)));
+    const Query query{.start = point(start), .goal = point(goal)};
+    check_corner_search(space, rules, ThetaStar{Vertices::cell_corner}, query, *expected);
+    check_corner_search(space, rules, LazyThetaStar{Vertices::cell_corner}, query, *expected);
   }
   CHECK(found > test::scaled(300) / 3);
   CHECK(bent > test::scaled(300) / 6);
@@ -90,7 +99,7 @@ TEST_CASE("no search on cells finds a shorter path than AnyAngle on the MovingAI
     const auto space = CellSpace::build(read_moving_ai_map(entry.path()).value()).value();
     const test::CornerRules rules(space.grid());
     const auto scenario = read_moving_ai_scenario(entry.path().string() + ".scen").value();
-    const AnyAngle prepared{.mesh = AnyAngle::prepare(space)};
+    const AnyAngle prepared{.mesh = AnyAngle::prepare(space).value()};
     AnyAngle::Scratch scratch;
     ThetaScratch theta;
     const std::size_t count = std::min(test::scaled(20), scenario.size());
@@ -102,15 +111,17 @@ TEST_CASE("no search on cells finds a shorter path than AnyAngle on the MovingAI
       const auto route = AnyAngle{}.search(space, query, scratch, nobody);
       REQUIRE(route);
       CHECK(route->cost <= row.optimal_length + 0.02);
-      CHECK(rules.allows(halves(*route)));
+      CHECK(rules.allows(test::joints_in_halves(route->curve)));
       const auto again = prepared.search(space, query, scratch, nobody);
       REQUIRE(again);
       CHECK(again->cost == Approx(route->cost).epsilon(1e-9));
-      CHECK(rules.allows(halves(*again)));
+      CHECK(rules.allows(test::joints_in_halves(again->curve)));
+      check_corner_search(space, rules, ThetaStar{Vertices::cell_corner}, query, route->cost);
+      check_corner_search(space, rules, LazyThetaStar{Vertices::cell_corner}, query, route->cost);
       const auto other = ThetaStar{}.search(space, query, theta, nobody).value();
       const auto lazy = LazyThetaStar{}.search(space, query, theta, nobody).value();
-      CHECK(rules.allows(halves(other)));
-      CHECK(rules.allows(halves(lazy)));
+      CHECK(rules.allows(test::joints_in_halves(other.curve)));
+      CHECK(rules.allows(test::joints_in_halves(lazy.curve)));
       CHECK(route->cost <= other.cost * (1 + 1e-9));
       CHECK(route->cost <= lazy.cost * (1 + 1e-9));
     }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/geometry/curve.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
@@ -27,6 +28,16 @@ inline Half corner_of(Cell cell) { return {2 * std::int64_t{cell.x}, 2 * std::in
 inline Half centre_of(Cell cell) {
   return {2 * std::int64_t{cell.x} + 1, 2 * std::int64_t{cell.y} + 1};
 }
+/// The start of a curve and the ends of its pieces, on cells of side 1 with the origin at 0.
+inline std::vector<Half> joints_in_halves(const Curve& curve) {
+  const auto half = [](const Point& p) {
+    return Half{std::llround(2 * p.x()), std::llround(2 * p.y())};
+  };
+  std::vector<Half> joints{half(curve.start())};
+  for (const Piece& piece : curve.pieces()) joints.push_back(half(end_of(piece)));
+  return joints;
+}
+
 inline double length(Half a, Half b) {
   const auto dx = static_cast<double>(a.x - b.x), dy = static_cast<double>(a.y - b.y);
   return std::sqrt(dx * dx + dy * dy) / 2;

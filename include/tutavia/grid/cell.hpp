@@ -4,7 +4,7 @@
 #include <cstdint>
 
 /// \file
-/// Cell: an index pair on a grid.
+/// Cell: an index pair on a grid; also of a corner of cells, the lower left one of that cell.
 
 namespace tutavia {
 
@@ -17,5 +17,12 @@ struct Cell {
   friend Cell operator+(Cell a, Cell b) { return {a.x + b.x, a.y + b.y}; }
   friend Cell operator-(Cell a, Cell b) { return {a.x - b.x, a.y - b.y}; }
 };
+
+/// Twice the area of the triangle a, b, c: positive where c lies left of the line from a to b.
+/// \pre differences below 2^31
+inline std::int64_t turn(Cell a, Cell b, Cell c) {
+  return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
+         (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
+}
 
 }  // namespace tutavia

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -10,7 +11,7 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// Lines of sight between cell centres, in integers.
+/// Lines of sight between cell centres and between corners of cells, in integers.
 
 namespace tutavia {
 
@@ -61,6 +62,71 @@ inline bool line_of_sight(const OccupancyGrid::View& rows, const OccupancyGrid::
                           Cell a, Cell b) {
   const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
   return steep ? line_of_sight(columns, {a.y, a.x}, {b.y, b.x}) : line_of_sight(rows, a, b);
+}
+
+namespace detail {
+
+/// Whether the edge between two corners of cells in one row is free: beside every unit of it a free
+/// cell, and one on the same side of the next.
+inline bool edge_is_free(const OccupancyGrid::View& grid, Cell a, Cell b) {
+  if (a.x > b.x) std::swap(a, b);
+  const std::size_t above = grid.index(a), below = grid.index({a.x, a.y - 1});
+  constexpr auto most = static_cast<int>(loaded_bits);
+  const int units = b.x - a.x;
+  for (int first = 0; first == 0 || first + 1 < units; first += most - 1) {
+    const int count = std::min(units - first, most);
+    const auto from = static_cast<std::size_t>(first);
+    const std::uint64_t up = load_bits(grid.words, above + from);
+    const std::uint64_t down = load_bits(grid.words, below + from);
+    const std::uint64_t on = (up & up >> 1) | (down & down >> 1);
+    if ((~(up | down) & ((std::uint64_t{1} << count) - 1)) != 0) return false;
+    if ((~on & ((std::uint64_t{1} << (count - 1)) - 1)) != 0) return false;
+  }
+  return true;
+}
+
+/// The same for a segment that crosses rows.
+inline bool corners_in_sight(const OccupancyGrid::View& grid, Cell a, Cell b) {
+  if (a.y > b.y) std::swap(a, b);
+  const auto across = static_cast<std::uint32_t>(std::abs(b.x - a.x));
+  const auto rows = static_cast<std::uint32_t>(b.y - a.y);
+  const bool right = b.x >= a.x;
+  std::size_t row = grid.index({0, a.y}) + static_cast<std::size_t>(a.x);
+  const std::uint32_t whole = across / rows, part = across % rows;
+  std::uint32_t in = 0, rest = 0;  // where it enters the row: column and remainder
+  for (std::uint32_t k = 0; k < rows; ++k, row += grid.stride) {
+    std::uint32_t out = in + whole;
+    const std::uint32_t before = rest;
+    rest += part;
+    if (rest >= rows) ++out, rest -= rows;
+    // Cells `in` to the last that it meets inside; to the left they count from the corner's left.
+    const std::uint32_t last = rest == 0 ? out - 1 : out;
+    if (!run_is_free(grid.words, right ? row + in : row - last - 1, last - in + 1)) return false;
+    if (before == 0 && k > 0) {  // through a corner: one of the two cells beside it is free
+      const std::size_t ahead = right ? row + in - 1 : row - in;
+      const std::size_t behind = (right ? row + in : row - in - 1) - grid.stride;
+      if (!grid.is_free(ahead) && !grid.is_free(behind)) return false;
+    }
+    in = out;
+  }
+  return true;
+}
+
+}  // namespace detail
+
+/// Whether a point may go straight from one corner of cells to another: through no blocked cell's
+/// inside, not between two that share a side, and not through a corner where two touch (ends
+/// aside). It may slide along blocked cells and touch their corners.
+///
+/// Exact. Rules of the Grid-Based Path Planning Competition 2014.
+/// \pre both are corners of cells of the grid; `columns` is its transpose
+inline bool corner_line_of_sight(const OccupancyGrid::View& rows,
+                                 const OccupancyGrid::View& columns, Cell a, Cell b) {
+  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
+  const OccupancyGrid::View& grid = steep ? columns : rows;
+  if (steep) a = {a.y, a.x}, b = {b.y, b.x};
+  if (a == b) return true;
+  return a.y == b.y ? detail::edge_is_free(grid, a, b) : detail::corners_in_sight(grid, a, b);
 }
 
 }  // namespace tutavia

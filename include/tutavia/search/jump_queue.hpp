@@ -16,11 +16,12 @@
 
 namespace tutavia {
 
-/// A monotone priority queue of 4096 circular buckets with two levels of occupancy words, and a
-/// list of what lies beyond them. Keys within one bucket come last in, first out; buckets are
-/// narrow, so few nodes are taken out of order and have to be re-opened. Nothing is freed between
-/// queries.
-class JumpQueue {
+/// A monotone priority queue of 4096 circular buckets, 2^Shift wide, with two levels of occupancy
+/// words, and a list of what lies beyond them. Keys within one bucket come last in, first out;
+/// buckets are narrow, so few nodes are taken out of order and have to be re-opened. Nothing is
+/// freed between queries.
+template <int Shift>
+class JumpQueueOf {
  public:
   struct Entry {
     std::uint32_t node;
@@ -28,8 +29,7 @@ class JumpQueue {
     std::uint32_t next;  // in the same bucket
   };
 
-  static constexpr int shift = 10;
-  static constexpr Cost width = Cost{1} << shift;  ///< of a bucket
+  static constexpr Cost width = Cost{1} << Shift;  ///< of a bucket
 
   /// Empties the queue; no key will be less than `least`.
   void begin(Cost least) {
@@ -37,14 +37,14 @@ class JumpQueue {
     beyond_.clear();
     occupied_.fill(0);
     words_ = 0;
-    current_ = least >> shift;
+    current_ = least >> Shift;
     least_beyond_ = std::numeric_limits<Cost>::max();
   }
 
   bool empty() const { return words_ == 0 && beyond_.empty(); }
 
   void push(Cost key, std::uint32_t node, std::uint32_t note) {
-    const Cost bucket = std::max(key >> shift, current_);
+    const Cost bucket = std::max(key >> Shift, current_);
     if (bucket - current_ >= static_cast<Cost>(count)) {
       beyond_.push_back({bucket, node, note});
       least_beyond_ = std::min(least_beyond_, bucket);
@@ -61,7 +61,7 @@ class JumpQueue {
       first = first_in_circle();
     }
     current_ = first;
-    return current_ << shift;
+    return current_ << Shift;
   }
 
   /// Takes an entry from the bucket that `advance` has moved to.
@@ -133,5 +133,8 @@ class JumpQueue {
   std::vector<Beyond> beyond_;
   Cost least_beyond_ = std::numeric_limits<Cost>::max();  // bucket number
 };
+
+/// Buckets of 1/14 of a cell: for searches that open nodes again where a better way turns up.
+using JumpQueue = JumpQueueOf<10>;
 
 }  // namespace tutavia

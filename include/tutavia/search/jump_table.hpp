@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/core/bytes.hpp"
 #include "tutavia/core/error.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/grid/successors.hpp"
@@ -195,12 +196,9 @@ inline void JumpTable::fill(const OccupancyGrid& grid, int dy) {
 inline std::string JumpTable::to_bytes() const {
   std::string bytes(detail::jump_table_magic);
   bytes.reserve(bytes.size() + 16 + memory());
-  const auto append = [&](std::uint64_t value, int count) {
-    for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xFF);
-  };
-  append(static_cast<std::uint64_t>(width_), 4);
-  append(static_cast<std::uint64_t>(height_), 4);
-  append(grid_hash_, 8);
+  append_bytes(bytes, static_cast<std::uint64_t>(width_), 4);
+  append_bytes(bytes, static_cast<std::uint64_t>(height_), 4);
+  append_bytes(bytes, grid_hash_, 8);
   for (const Row& row : rows_) {
     for (const std::int8_t jump : row) bytes += static_cast<char>(jump);
   }
@@ -215,16 +213,9 @@ inline Expected<JumpTable, Failure> JumpTable::from_bytes(std::string_view bytes
     return fail(PlanError::invalid_input, "not a jump table of this version");
   }
   JumpTable table(grid);
-  const auto is = [&](std::size_t from, int count, std::uint64_t value) {
-    for (int i = 0; i < count; ++i) {
-      const auto byte = static_cast<unsigned char>(bytes[from + static_cast<std::size_t>(i)]);
-      if (byte != (value >> (8 * i) & 0xFF)) return false;
-    }
-    return true;
-  };
-  if (!is(magic.size(), 4, static_cast<std::uint64_t>(table.width_)) ||
-      !is(magic.size() + 4, 4, static_cast<std::uint64_t>(table.height_)) ||
-      !is(magic.size() + 8, 8, table.grid_hash_)) {
+  if (read_bytes(bytes, magic.size(), 4) != static_cast<std::uint64_t>(table.width_) ||
+      read_bytes(bytes, magic.size() + 4, 4) != static_cast<std::uint64_t>(table.height_) ||
+      read_bytes(bytes, magic.size() + 8, 8) != table.grid_hash_) {
     return fail(PlanError::invalid_input, "the jump table was made for another grid");
   }
   if (bytes.size() != head + table.memory()) {

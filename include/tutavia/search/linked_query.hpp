@@ -124,7 +124,7 @@ inline void append_cell(std::vector<Cell>& cells, Cell cell) {
 ///
 /// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also where no cell around the
 /// point can be reached from it; `unreachable_at_resolution`; what `run` says.
-template <GridSpace S, class Run>
+template <LinkedSpace S, class Run>
 Expected<Route, Failure> search_grid(const S& space, const Query& query, std::vector<Cell>& cells,
                                      Run run, bool straight_first = true) {
   if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};

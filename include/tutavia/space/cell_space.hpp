@@ -70,6 +70,8 @@ class CellSpace {
   const Frame& frame() const { return layer_.frame(); }
   MovementRule movement() const { return layer_.movement(); }
   const StopPlanes& stop_planes() const { return layer_.stop_planes(); }
+  const OccupancyGrid& columns() const { return layer_.columns(); }
+  const OccupancyGrid& corners() const { return layer_.corners(); }
   Links links(const Point& p) const {
     if (!bounds_.contains(p)) return {};
     return layer_.links(p, 0,
@@ -296,8 +298,6 @@ Proximity CellSpace::nearest(const P& piece, double cap) const {
 
 inline bool CellSpace::meets_inside(const Segment& s) const {
   const Box box = s.box();
-  const double size = frame().resolution, margin = 2 * slack();
-  const SlantedStrip range = strip(s);
   // The open square of a cell against the segment, by separating lines.
   const auto meets_open = [&](Cell cell) {
     const Point low = corner(cell), high = corner(cell + Cell{1, 1});
@@ -314,13 +314,34 @@ inline bool CellSpace::meets_inside(const Segment& s) const {
     }
     return left && right;
   };
-  const int last_row = row(box.max.y() + margin);
-  for (int y = row(box.min.y() - margin); y <= last_row; ++y) {
-    const double bottom = corner({0, y}).y();
-    const auto [x0, x1] = range.range(bottom - margin, bottom + size + margin);
+  // Row by row, in cells: most have no blocked one anywhere near the segment.
+  const OccupancyGrid& map = cells();
+  const double size = frame().resolution, margin = 4 * slack() / size;
+  const Point low = (box.min - corner_) / size, high = (box.max - corner_) / size;
+  const double rise = std::abs(s.b.y() - s.a.y()) / size;
+  const bool rising = (s.b.x() >= s.a.x()) == (s.b.y() >= s.a.y());
+  const bool flat = !(rise > margin);
+  const double slope = (rising ? 1 : -1) * (high.x() - low.x()) / rise,
+               from = rising ? low.x() : high.x();
+  const auto at = [&](double y) {  // where it crosses a level
+    return std::clamp(from + (y - low.y()) * slope, low.x(), high.x());
+  };
+  const auto first_of = [](double x) { return static_cast<int>(std::clamp(x, 0.0, 0x1p30)); };
+  const auto last_of = [](double x, int count) {
+    return static_cast<int>(std::floor(std::clamp(x, -1.0, count - 1.0)));
+  };
+  const int last_row = last_of(high.y() + margin, map.height());
+  for (int y = first_of(low.y() - margin); y <= last_row; ++y) {
+    const double in = flat ? low.x() : at(y - margin), out = flat ? high.x() : at(y + 1 + margin);
+    const int first = first_of(std::fmin(in, out) - margin);
+    const int last = last_of(std::fmax(in, out) + margin, map.width());
+    if (first > last) continue;
+    if (detail::run_is_free(map.words().data(), map.index({first, y}),
+                            static_cast<std::uint32_t>(last - first + 1))) {
+      continue;
+    }
     bool meets = false;
-    for_each_blocked<false>(y, column(x0 - margin), column(x1 + margin),
-                            [&](Cell cell) { meets = meets || meets_open(cell); });
+    for_each_blocked<false>(y, first, last, [&](Cell cell) { meets = meets || meets_open(cell); });
     if (meets) return true;
   }
   return runs_inside(box);

@@ -56,14 +56,18 @@ concept ClearanceSpace = FreeSpace<S> &&
   { s.magnitude() } -> std::same_as<double>;
 };
 
-/// Free space with a grid laid over it, every step of which (by `movement()`) is a proved segment.
-/// `links(p)` joins any point to the cells around it by proved segments.
+/// Free space with nodes: `links(p)` joins any point to those around it by proved segments.
 template <class S>
-concept GridSpace = FreeSpace<S> && requires(const S& s, const Point& p) {
-  { s.grid() } -> std::same_as<const OccupancyGrid&>;
+concept LinkedSpace = FreeSpace<S> && requires(const S& s, const Point& p) {
   { s.frame() } -> std::convertible_to<Frame>;
-  { s.movement() } -> std::same_as<MovementRule>;
   { s.links(p) } -> std::same_as<Links>;
+};
+
+/// Free space with a grid laid over it, every step of which (by `movement()`) is a proved segment.
+template <class S>
+concept GridSpace = LinkedSpace<S> && requires(const S& s) {
+  { s.grid() } -> std::same_as<const OccupancyGrid&>;
+  { s.movement() } -> std::same_as<MovementRule>;
 };
 
 }  // namespace tutavia

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "tutavia/grid/corners.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/grid/stop_planes.hpp"
 #include "tutavia/grid/transposed.hpp"
@@ -39,6 +40,14 @@ class GridLayer {
   const OccupancyGrid& columns() const {
     std::call_once(lazy_->columns_once, [this] { lazy_->columns.emplace(transposed(grid_)); });
     return *lazy_->columns;
+  }
+
+  /// The corners of free cells as a grid of their own, made likewise; (x, y) is the lower left
+  /// corner of cell (x, y). Without those where two blocked cells touch by the corner alone: no
+  /// path leads through them. What lies beyond the grid is blocked.
+  const OccupancyGrid& corners() const {
+    std::call_once(lazy_->corners_once, [this] { lazy_->corners.emplace(open_corners(grid_)); });
+    return *lazy_->corners;
   }
 
   /// Joins `p` to the free cells whose reference points lie within sqrt(2) delta of it and which
@@ -78,6 +87,8 @@ class GridLayer {
     std::optional<StopPlanes> planes;
     std::once_flag columns_once;
     std::optional<OccupancyGrid> columns;
+    std::once_flag corners_once;
+    std::optional<OccupancyGrid> corners;
   };
   std::shared_ptr<Lazy> lazy_ = std::make_shared<Lazy>();
 };
