@@ -10,8 +10,8 @@
 #include "tutavia/search/navigation_mesh.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/route.hpp"
-#include "tutavia/space/row_runs.hpp"
 #include "tutavia/space/cell_space.hpp"
+#include "tutavia/space/row_runs.hpp"
 
 /// \file
 /// AnyAngle: the shortest path of a point among blocked cells.
