@@ -4,6 +4,7 @@
 
 #include <sys/wait.h>
 #include <unistd.h>
+#include <cmath>
 
 #include <algorithm>
 #include <cstdlib>
@@ -280,6 +281,12 @@ TEST_CASE("grid maps are planned on their cells, and bad ones refused with the p
   REQUIRE(results.size() == 3);
   // Down one cell, along four and back up: no diagonal may cut the blocked corners.
   for (const auto& result : results) CHECK(result["metrics"]["length"].get<double>() == 6);
+  // Pulled taut, around two of those corners, whatever it was pulled from.
+  const std::string pulled = "--search any_angle,astar,jps --smoother string_pull --json r.json";
+  REQUIRE(folder.run(task + pulled).code == 0);
+  for (const auto& result : nlohmann::json::parse(read(folder / "r.json"))["results"]) {
+    CHECK(result["metrics"]["length"].get<double>() == Approx(3 + std::sqrt(2)));
+  }
   CHECK(folder.run(task + "--svg room.svg").code == 0);
   CHECK(contains(read(folder / "room.svg"), "<svg"));
   CHECK(folder.run(task + "--radius 0.5").code == 0);  // exactly as wide as the corridor
