@@ -14,6 +14,7 @@
 #include "tutavia/core/zeroed_array.hpp"
 #include "tutavia/geometry/predicates.hpp"
 #include "tutavia/grid/movement.hpp"
+#include "tutavia/search/concepts.hpp"
 #include "tutavia/search/jump_queue.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/route.hpp"
