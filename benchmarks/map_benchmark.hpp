@@ -46,7 +46,11 @@ inline double micros_since(Clock::time_point start) {
 
 template <class T>
 T value_or_throw(Expected<T, Failure> result) {
-  if (!result) throw UsageError{result.error().detail};
+  if (!result) {
+    const Failure& failure = result.error();
+    throw UsageError{failure.detail.empty() ? std::string(to_string(failure.code))
+                                            : failure.detail};
+  }
   return std::move(*result);
 }
 
@@ -175,7 +179,13 @@ inline std::vector<Row> run_map(const Benchmark& benchmark, const std::string& m
 
   std::vector<double> optimal;
   const auto optimum = benchmark.optimum(space);
-  for (const ScenarioRow& row : queries) optimal.push_back(optimum(row));
+  for (const ScenarioRow& row : queries) {
+    try {
+      optimal.push_back(optimum(row));
+    } catch (const UsageError& error) {
+      throw UsageError{scen + " line " + std::to_string(row.line) + ": " + error.message};
+    }
+  }
 
   std::vector<Row> rows;
   std::vector<Engine> searches;

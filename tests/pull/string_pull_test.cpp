@@ -174,6 +174,38 @@ TEST_CASE("strings on the MovingAI maps are free, taut and not shorter than the 
   }
 }
 
+TEST_CASE("a segment is followed exactly where the competition's rules allow it") {
+  const std::uint64_t seed = 662;
+  Random random(seed);
+  std::size_t allowed = 0, refused = 0;
+  for (std::size_t round = 0; round < test::scaled(3000); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const auto space = CellSpace::build(test::random_grid(random, 14)).value();
+    const test::CornerRules rules(space.grid());
+    const auto any = [&] {
+      const auto below = [&](int cells) {
+        return static_cast<std::int64_t>(random.below(2 * static_cast<std::uint32_t>(cells) + 1));
+      };
+      return test::Half{below(space.grid().width()), below(space.grid().height())};
+    };
+    const auto point = [](test::Half h) {
+      return Point(static_cast<double>(h.x) / 2, static_cast<double>(h.y) / 2);
+    };
+    for (int i = 0; i < 20; ++i) {
+      const test::Half a = any(), b = any();
+      if (a == b || !space.is_free(point(a)) || !space.is_free(point(b))) continue;
+      const Point ends[] = {point(a), point(b)};
+      const auto pulled = StringPull{}.smooth(space, Curve::polyline(ends), {});
+      const bool expected = rules.allows(a, b);
+      REQUIRE(pulled.has_value() == expected);
+      if (expected) CHECK(pulled->pieces().size() == 1);
+      (expected ? allowed : refused) += 1;
+    }
+  }
+  CHECK(allowed > test::scaled(3000));
+  CHECK(refused > test::scaled(3000));
+}
+
 TEST_CASE("strings run along lines of the grid and refuse what is not free") {
   OccupancyGrid grid = OccupancyGrid::blocked(6, 4).value();
   for (int y = 0; y < 4; ++y) grid.set_run(y, 0, 5, true);

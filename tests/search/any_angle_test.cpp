@@ -67,6 +67,7 @@ TEST_CASE("any-angle paths are as short as a visibility graph's, between centres
     REQUIRE(route.has_value() == expected.has_value());
     if (!route) {
       CHECK(route.error().code == PlanError::unreachable);
+      CHECK_FALSE(route.error().detail.empty());
       continue;
     }
     ++found;
@@ -88,6 +89,37 @@ TEST_CASE("any-angle paths are as short as a visibility graph's, between centres
   }
   CHECK(found > test::scaled(300) / 3);
   CHECK(bent > test::scaled(300) / 6);
+}
+
+TEST_CASE("starts and goals within rounding of a corner change nothing") {
+  const std::uint64_t seed = 610;
+  Random random(seed);
+  AnyAngle::Scratch scratch;
+  NoObserver nobody;
+  std::size_t found = 0;
+  for (std::size_t round = 0; round < test::scaled(300); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const auto space =
+        CellSpace::build(test::random_grid(random, 16), {.resolution = 0.03, .origin = {-3.7, 1e3}})
+            .value();
+    const AnyAngle prepared{.mesh = AnyAngle::prepare(space).value()};
+    const auto corner = [&] { return space.corner(test::random_cell(random, space.grid())); };
+    const auto beside = [&](double x) {
+      return random.below(2) == 0 ? x : std::nextafter(x, random.below(2) == 0 ? -1e9 : 1e9);
+    };
+    const Point a = corner(), b = corner();
+    const Point near_a{beside(a.x()), beside(a.y())}, near_b{beside(b.x()), beside(b.y())};
+    const Query query{.start = near_a, .goal = near_b};
+    const auto online = AnyAngle{}.search(space, query, scratch, nobody);
+    const auto on_mesh = prepared.search(space, query, scratch, nobody);
+    REQUIRE(online.has_value() == on_mesh.has_value());
+    if (!online) continue;
+    ++found;
+    CHECK(online->cost == Approx(on_mesh->cost).epsilon(1e-9));
+    const auto exact = AnyAngle{}.search(space, {.start = a, .goal = b}, scratch, nobody);
+    if (exact) CHECK(online->cost >= exact->cost - 1e-9);
+  }
+  CHECK(found > test::scaled(300) / 4);
 }
 
 TEST_CASE("no search on cells finds a shorter path than AnyAngle on the MovingAI maps") {

@@ -30,8 +30,8 @@ struct CornerCells {
 
 /// The corners that a path may pass, as a grid of their own: those of free cells, but where two
 /// blocked cells touch by the corner alone.
+/// \pre `OccupancyGrid::fits(width + 1, height + 1)`
 inline OccupancyGrid open_corners(const OccupancyGrid& grid) {
-  // More cells than the grid has, but never too many for its indices.
   auto corners =
       OccupancyGrid::blocked(grid.width() + 1, grid.height() + 1, std::int64_t{1} << 31).value();
   for (int y = 0; y <= grid.height(); ++y) {

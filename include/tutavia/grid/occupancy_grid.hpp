@@ -60,24 +60,27 @@ class OccupancyGrid {
   /// No cells at all.
   OccupancyGrid() : OccupancyGrid(0, 0, 1) {}
 
+  /// Whether the indices of a grid of this size, with the padding, stay below 2^32 - 64.
+  static bool fits(std::int64_t width, std::int64_t height) {
+    constexpr std::int64_t longest = std::int64_t{1} << 30, max_words = (std::int64_t{1} << 26) - 1;
+    if (width > longest || height > longest) return false;
+    return height + 2 <= max_words / words_per_row(width);
+  }
+
   /// A grid with every cell blocked. `limit_exceeded` (checked before anything is allocated) for
   /// more than `max_cells` or, with the padding, 2^32 - 64 indices; `invalid_input` for a negative
   /// size.
   static Expected<OccupancyGrid, Failure> blocked(std::int64_t width, std::int64_t height,
                                                   std::int64_t max_cells = std::int64_t{1} << 30) {
     if (width < 0 || height < 0) return fail(PlanError::invalid_input, "grid size is negative");
-    constexpr std::int64_t longest = std::int64_t{1} << 30;
-    const std::int64_t words = (std::min(width, longest) + 2 + 63) / 64;
-    constexpr std::int64_t max_words = (std::int64_t{1} << 26) - 1;  // 32-bit indices
-    if (width > longest || height > longest || (height > 0 && width > max_cells / height) ||
-        height + 2 > max_words / words) {
+    if (!fits(width, height) || (height > 0 && width > max_cells / height)) {
       return fail(PlanError::limit_exceeded,
                   "grid of " + std::to_string(width) + " x " + std::to_string(height) +
                       " cells needed, " + std::to_string(max_cells) +
                       " cells and 2^32 - 64 bits of padded rows allowed");
     }
     return OccupancyGrid(static_cast<int>(width), static_cast<int>(height),
-                         static_cast<std::size_t>(words));
+                         static_cast<std::size_t>(words_per_row(width)));
   }
 
   View view() const { return {bits_.data(), stride_, reciprocal_, reciprocal_shift_}; }
@@ -162,6 +165,8 @@ class OccupancyGrid {
   }
 
  private:
+  static std::int64_t words_per_row(std::int64_t width) { return (width + 2 + 63) / 64; }
+
   OccupancyGrid(int width, int height, std::size_t words_per_row)
       : width_(width),
         height_(height),

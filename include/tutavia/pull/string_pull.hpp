@@ -50,11 +50,12 @@ class PortalTrace {
     const int last = up && is_on_level(q, to) ? to - 1 : to;
     if (!enter(row, cell_at(p, q, p, row))) return false;
     while (row != last) {
+      const int level = up ? row + 1 : row;
       row += up ? 1 : -1;
-      const int level = up ? row : row + 1;
-      if (!enter(row, column_at(p, q, level))) return false;
+      // It leaves a row by the run that it entered it by.
+      if (!holds(column_at(q, p, level)) || !enter(row, column_at(p, q, level))) return false;
     }
-    return true;
+    return holds(cell_at(q, p, q, last));
   }
 
   const std::vector<Portal>& portals() const { return portals_; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -68,6 +69,12 @@ struct AnyAngle {
     Route route;
     detail::IntervalSearch<Pieces, O> search(space, pieces, query, scratch, observer, route.stats);
     if (auto failure = search.run()) {
+      if (failure->code == PlanError::unreachable) {
+        failure->detail = "no path among the blocked cells";
+      } else if (failure->code == PlanError::budget_exhausted) {
+        failure->detail =
+            "search stopped after " + std::to_string(route.stats.expanded) + " expansions";
+      }
       failure->stats = route.stats;
       return Unexpected{std::move(*failure)};
     }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "tutavia/core/statistics.hpp"
@@ -178,7 +179,7 @@ class IntervalSearch {
 
   /// From the start to all sides of the pieces that hold it.
   void begin() {
-    scratch_.begin(corners_, pieces_.dead_end_count());
+    scratch_.begin(corners_, pieces_.dead_end_limit());
     for_each_around(query_.goal, [&](Piece piece) {
       goal_rooms_.push_back(pieces_.open(piece));
       mark_passage(piece);
@@ -356,6 +357,9 @@ class IntervalSearch {
       goal = {goal.x + twice * dy, goal.y - twice * dx};
     }
     const auto by = [&](Place end, Place ray, bool is_end) {
+      // From a start off the lattice, where a ray cuts the side is known to rounding only; this is
+      // never too much.
+      if (!is_end && node.root == at_start) return length(from, goal);
       if (!is_end) {
         const double dx = ray.x - from.x, dy = ray.y - from.y;
         const double t = (dx * (from.y - right.y) - dy * (from.x - right.x)) /

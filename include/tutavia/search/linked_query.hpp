@@ -118,9 +118,9 @@ inline void append_cell(std::vector<Cell>& cells, Cell cell) {
 
 /// What every search on a grid does around its core. Start and goal are linked to the grid; unless
 /// both are cells themselves, the straight segment between them is tried first (if
-/// `straight_first`). `run(linked, cells,
-/// stats)` searches the grid: it fills `cells` with a path from the goal's cell back to the start's
-/// in which consecutive cells are joined by equal steps, or returns what stopped it.
+/// `straight_first`). `run(linked, cells, stats)` searches the grid: it fills `cells` with a path
+/// from the goal's cell back to the start's in which the straight way from one to the next is free,
+/// or returns what stopped it.
 ///
 /// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also where no cell around the
 /// point can be reached from it; `unreachable_at_resolution`; what `run` says.

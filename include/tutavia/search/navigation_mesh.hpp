@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/core/assert.hpp"
 #include "tutavia/core/bytes.hpp"
 #include "tutavia/core/error.hpp"
 #include "tutavia/core/expected.hpp"
@@ -39,7 +40,7 @@ class NavigationMesh {
   static constexpr int max_side = ConstrainedDelaunay::max_side - 2;
 
   /// Takes O(n log n) for n corners in practice. `limit_exceeded` for grids of more than `max_side`
-  /// cells a side.
+  /// cells a side or 2^28 walls.
   static Expected<NavigationMesh, Failure> build(const OccupancyGrid& grid);
 
   /// The polygons as bytes, to be kept in a file.
@@ -92,7 +93,7 @@ class NavigationMesh {
   /// The neighbour that leads out of a dead end; the last of a tree of them names itself.
   Piece way_out(Piece piece) const { return way_out_[piece]; }
   /// All dead ends have lesser numbers.
-  std::size_t dead_end_count() const { return size(); }
+  std::size_t dead_end_limit() const { return size(); }
 
  private:
   /// A straight part of the border between free and blocked cells, free ones on its left.
@@ -193,6 +194,12 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
     return spread(corner.x) | spread(corner.y) << 1;
   };
   const std::vector<Wall> walls = NavigationMesh::walls(grid);
+  constexpr std::size_t max_walls = std::size_t{1} << 28;  // six half-edges each, at most
+  if (walls.size() > max_walls) {
+    return fail(PlanError::limit_exceeded, "navigation mesh of " + std::to_string(walls.size()) +
+                                               " walls needed, " + std::to_string(max_walls) +
+                                               " allowed");
+  }
   std::vector<Vertex> vertices;
   for (const Wall& wall : walls) vertices.push_back({morton(wall.from), wall.from, 0});
   const auto by_key = [](const Vertex& a, const Vertex& b) { return a.key < b.key; };

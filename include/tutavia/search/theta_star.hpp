@@ -39,7 +39,9 @@ concept SightSpace = LinkedSpace<S> && requires(const S& s, Cell node) {
 /// Where the paths of a search bend.
 enum class Vertices {
   cell_centre,  ///< at the reference points of the space's grid
-  cell_corner,  ///< at corners of cells, by the rules of CellCorners; on a CellSpace of radius 0
+  /// At corners of cells, by the rules of CellCorners; on a CellSpace of radius 0. The first query
+  /// on a space makes its grid of corners, in O(cells).
+  cell_corner,
 };
 
 /// Memory of a Theta* search.
@@ -275,6 +277,10 @@ Expected<Route, Failure> theta_search(const S& space, const Query& query, Vertic
     return theta_search<Lazy>(space, query, scratch, observer);
   }
   if constexpr (std::same_as<S, CellSpace>) {
+    const OccupancyGrid& cells = space.cells();
+    if (!OccupancyGrid::fits(cells.width() + std::int64_t{1}, cells.height() + std::int64_t{1})) {
+      return fail(PlanError::limit_exceeded, "the grid has too many corners for 32-bit indices");
+    }
     if (space.safety_radius() == 0) {
       if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
       return theta_search<Lazy>(CellCorners(space), query, scratch, observer);

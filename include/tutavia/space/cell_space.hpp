@@ -62,7 +62,7 @@ class CellSpace {
   const OccupancyGrid& grid() const { return layer_.grid(); }
   /// The cells that are not blocked themselves.
   const OccupancyGrid& cells() const { return cells_ ? *cells_ : layer_.grid(); }
-  /// The lower left corner of a cell, exactly; of cells beyond the map as well.
+  /// The lower left corner of a cell, exactly; of cells as far beyond the map as it is large, too.
   Point corner(Cell cell) const {
     return {corner_.x() + layer_.frame().resolution * cell.x,
             corner_.y() + layer_.frame().resolution * cell.y};
