@@ -20,6 +20,7 @@
 #include "tutavia/search/penalty_astar.hpp"
 #include "tutavia/search/theta_star.hpp"
 #include "tutavia/search/weighted_astar.hpp"
+#include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "tutavia/smooth/no_smoothing.hpp"
@@ -109,7 +110,8 @@ std::vector<AnySearch<S>> all_searches() {
 template <class S>
 std::vector<AnySmoother<S>> all_smoothers() {
   std::vector<AnySmoother<S>> all{erase_smoother<S>(NoSmoothing{}), erase_smoother<S>(Shortcut{}),
-                                  erase_smoother<S>(DeltaSmoother{})};
+                                  erase_smoother<S>(DeltaSmoother{}),
+                                  erase_smoother<S>(BezierSmoother{})};
   if constexpr (Smoother<StringPull, S>) all.push_back(erase_smoother<S>(StringPull{}));
   return all;
 }

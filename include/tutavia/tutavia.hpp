@@ -81,6 +81,7 @@
 #include "tutavia/search/theta_star.hpp"
 #include "tutavia/search/wave_search.hpp"
 #include "tutavia/search/weighted_astar.hpp"
+#include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/critical_corners.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
