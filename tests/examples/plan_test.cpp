@@ -284,7 +284,8 @@ TEST_CASE("grid maps are planned on their cells, and bad ones refused with the p
   // Pulled taut, around two of those corners, whatever it was pulled from.
   const std::string pulled = "--search any_angle,astar,jps --smoother string_pull --json r.json";
   REQUIRE(folder.run(task + pulled).code == 0);
-  for (const auto& result : nlohmann::json::parse(read(folder / "r.json"))["results"]) {
+  const auto taut = nlohmann::json::parse(read(folder / "r.json"));
+  for (const auto& result : taut["results"]) {
     CHECK(result["metrics"]["length"].get<double>() == Approx(3 + std::sqrt(2)));
   }
   CHECK(folder.run(task + "--svg room.svg").code == 0);
