@@ -48,14 +48,14 @@ class PortalTrace {
     // above and below it).
     int row = !up && is_on_level(p, from) ? from - 1 : from;
     const int last = up && is_on_level(q, to) ? to - 1 : to;
-    if (!enter(row, cell_at(p, q, p, row))) return false;
+    if (!enter(row, first_column(p, q, row))) return false;
     while (row != last) {
       const int level = up ? row + 1 : row;
       row += up ? 1 : -1;
       // It leaves a row by the run that it entered it by.
       if (!holds(column_at(q, p, level)) || !enter(row, column_at(p, q, level))) return false;
     }
-    return holds(cell_at(q, p, q, last));
+    return holds(first_column(q, p, last));
   }
 
   const std::vector<Portal>& portals() const { return portals_; }
@@ -94,9 +94,9 @@ class PortalTrace {
     return beside(column, up > 0 ? level : level - 1, side(column) == 0, p, q);
   }
   /// The column of a row where a segment begins.
-  int cell_at(const Point& p, const Point& q, const Point& at, int row) const {
-    const int column = column_of(at);
-    return beside(column, row, x_of(column) == at.x(), p, q);
+  int first_column(const Point& p, const Point& q, int row) const {
+    const int column = column_of(p);
+    return beside(column, row, x_of(column) == p.x(), p, q);
   }
   /// On a line between two columns, the one that a segment goes on in; straight along the line, the
   /// free one.
@@ -110,8 +110,8 @@ class PortalTrace {
   bool go_level(const Point& p, const Point& q) {
     const bool right = p.x() < q.x();
     const int row = row_of(p);
-    int column = cell_at(p, q, p, row);
-    const int last = cell_at(q, p, q, row);
+    const int column = first_column(p, q, row);
+    const int last = first_column(q, p, row);
     if (!is_on_level(p, row)) return enter(row, column) && holds(last);
     if (!has_run_ || (run_.y0 != row && run_.y0 != row - 1) || !holds(column)) {
       if (!enter(is_free({column, row}) ? row : row - 1, column)) return false;
@@ -165,7 +165,7 @@ inline std::vector<Point> pull_through(const std::vector<std::pair<Point, Point>
   std::vector<Point> path{start};
   std::deque<Point> funnel{start};  // from the end of the left chain by the apex to the right end
   std::size_t apex = 0;
-  // Adds a point to one end. `turns(a, b, p)`: p lies beyond the chain's last side a-b.
+  // A new end takes off what its chain would have to bend outwards for.
   const auto add_right = [&](const Point& p) {
     while (funnel.size() > 1) {
       const std::size_t last = funnel.size() - 1;

@@ -128,7 +128,7 @@ class NavigationMesh {
   }
   /// Finds what lies beyond the sides; false unless those without a neighbour are the grid's walls,
   /// every one once.
-  bool join(const OccupancyGrid& grid);
+  bool join(std::vector<Wall> walls);
   void find_dead_ends();
   void fill_bins();
   /// Calls `visit(bin)` for every bin that a polygon touches, and perhaps for some others.
@@ -193,7 +193,7 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
     };
     return spread(corner.x) | spread(corner.y) << 1;
   };
-  const std::vector<Wall> walls = NavigationMesh::walls(grid);
+  std::vector<Wall> walls = NavigationMesh::walls(grid);
   constexpr std::size_t max_walls = std::size_t{1} << 28;  // six half-edges each, at most
   if (walls.size() > max_walls) {
     return fail(PlanError::limit_exceeded, "navigation mesh of " + std::to_string(walls.size()) +
@@ -254,7 +254,7 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
     }
     mesh.add(ring);
   }
-  const bool whole = mesh.join(grid);
+  const bool whole = mesh.join(std::move(walls));
   TUTAVIA_ASSERT(whole);
   static_cast<void>(whole);
   mesh.find_dead_ends();
@@ -262,7 +262,7 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
   return mesh;
 }
 
-inline bool NavigationMesh::join(const OccupancyGrid& grid) {
+inline bool NavigationMesh::join(std::vector<Wall> walls) {
   // Sides by their ends, so that the two of a shared one stand together.
   struct End {
     Wall side;  // from the lesser to the greater end
@@ -293,10 +293,9 @@ inline bool NavigationMesh::join(const OccupancyGrid& grid) {
       bare.push_back({side.right, side.left});
     }
   }
-  std::vector<Wall> expected = walls(grid);
-  std::sort(expected.begin(), expected.end());
+  std::sort(walls.begin(), walls.end());
   std::sort(bare.begin(), bare.end());
-  return bare == expected;
+  return bare == walls;
 }
 
 inline void NavigationMesh::find_dead_ends() {
@@ -428,7 +427,7 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::from_bytes(std::string_
   }
   // Convex polygons whose borders cancel out but for the grid's walls cover what these surround,
   // every point once.
-  if (!mesh.join(grid)) return broken("the navigation mesh was made for another grid");
+  if (!mesh.join(walls(grid))) return broken("the navigation mesh was made for another grid");
   mesh.find_dead_ends();
   mesh.fill_bins();
   return mesh;
