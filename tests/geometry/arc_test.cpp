@@ -80,4 +80,56 @@ TEST_CASE("numbers that make no arc are not finite") {
   CHECK_FALSE(Arc::around({0, 0}, INFINITY, 0, 1).is_finite());
 }
 
+Arc any_arc(Random& random) {
+  return Arc::around({random.uniform(-4, 4), random.uniform(-4, 4)}, random.uniform(0.1, 3),
+                     random.uniform(-9, 9), random.uniform(-2 * pi, 2 * pi));
+}
+
+TEST_CASE("parts of an arc and its reverse have exact ends and the same points") {
+  const std::uint64_t seed = 3;
+  Random random(seed);
+  for (std::size_t round = 0; round < test::scaled(200); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    Arc arc = any_arc(random);
+    arc.b += Point(1e-9, 0);  // ends may be off the circle
+    const double from = random.uniform(), to = random.uniform(from, 1), t = random.uniform();
+    const Arc part = arc.part(from, to), whole = arc.part(0, 1), back = arc.reversed();
+    CHECK(part.a == arc.point(from));
+    CHECK(part.b == arc.point(to));
+    CHECK((part.point(t) - arc.point(from + t * (to - from))).norm() < 1e-13);
+    CHECK(part.length() == Approx((to - from) * arc.length()));
+    CHECK((whole.a == arc.a && whole.b == arc.b && whole.sweep == arc.sweep));
+    CHECK(arc.part(0, to).a == arc.a);
+    CHECK(arc.part(from, 1).b == arc.b);
+    CHECK(arc.part(0, to).b == arc.part(to, 1).a);
+    CHECK(arc.part(0, 0).b == arc.a);
+    CHECK(arc.part(1, 1).a == arc.b);
+    CHECK(part.is_finite());
+    CHECK((back.a == arc.b && back.b == arc.a));
+    CHECK((back.point(t) - arc.point(1 - t)).norm() < 1e-13);
+    CHECK(back.start_direction().isApprox(-arc.end_direction()));
+  }
+}
+
+TEST_CASE("the nearest point of an arc is as near as any sample") {
+  const std::uint64_t seed = 4;
+  Random random(seed);
+  for (std::size_t round = 0; round < test::scaled(200); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const Arc arc = any_arc(random);
+    const Point p{random.uniform(-4, 4), random.uniform(-4, 4)};
+    const double t = arc.nearest_parameter(p);
+    CHECK((t >= 0 && t <= 1));
+    double sampled = 100;
+    for (int i = 0; i <= 5000; ++i) sampled = std::min(sampled, distance(p, arc.point(i / 5000.0)));
+    CHECK(distance(p, arc.point(t)) <= sampled + 1e-14);
+    CHECK(distance(p, arc.point(t)) >= sampled - arc.length() / 10000);
+  }
+  const Arc half = Arc::around({0, 0}, 2, 0, pi);
+  CHECK(half.nearest_parameter({0, 0}) == 0);
+  CHECK(half.nearest_parameter({0, 5}) == Approx(0.5));
+  CHECK(half.nearest_parameter({0, -1}) == 0);  // both ends are as near
+  CHECK(half.nearest_parameter({-1, -1}) == 1);
+}
+
 }  // namespace

@@ -219,4 +219,91 @@ TEST_CASE("a piece is finite when all of its control points are", "[geometry]") 
   }
 }
 
+TEMPLATE_TEST_CASE("parts of a Bezier piece and its reverse have exact ends and the same points",
+                   "[geometry]", QuadraticBezier, CubicBezier) {
+  const std::uint64_t seed = 6;
+  Random random(seed);
+  for (std::size_t round = 0; round < test::scaled(200); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const auto piece = any_piece<TestType>(random, 1);
+    const double from = random.uniform(), to = random.uniform(from, 1), t = random.uniform();
+    const auto part = piece.part(from, to);
+    CHECK(part.start() == piece.point(from));
+    CHECK(part.end() == piece.point(to));
+    CHECK((part.point(t) - piece.point(from + t * (to - from))).norm() < 2e-15);
+    CHECK((part.derivative(t) - (to - from) * piece.derivative(from + t * (to - from))).norm() <
+          2e-14);
+    CHECK(piece.part(0, to).start() == piece.start());
+    CHECK(piece.part(from, 1).end() == piece.end());
+    CHECK(piece.part(0, to).end() == piece.part(to, 1).start());
+    CHECK(piece.part(0, 1).points == piece.points);
+    CHECK(piece.part(0, to).length() + piece.part(to, 1).length() ==
+          Approx(piece.length()).epsilon(1e-12));
+    for (const double end : {0.0, t, 1.0}) {
+      const auto point = piece.part(end, end);
+      for (const Point& p : point.points) CHECK(p == piece.point(end));
+    }
+    CHECK(piece.reversed().start() == piece.end());
+    CHECK(piece.reversed().end() == piece.start());
+    CHECK((piece.reversed().point(t) - piece.point(1 - t)).norm() < 1e-15);
+  }
+}
+
+TEMPLATE_TEST_CASE("the nearest point of a Bezier piece is as near as any sample", "[geometry]",
+                   QuadraticBezier, CubicBezier) {
+  const std::uint64_t seed = 7;
+  Random random(seed);
+  for (std::size_t round = 0; round < test::scaled(200); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    auto piece = any_piece<TestType>(random, 1);
+    const Point shift = round % 3 == 0 ? Point(4e6, -6e5) : Point(0, 0);
+    for (Point& q : piece.points) q += shift;
+    Point p = shift + Point(random.uniform(-1, 1), random.uniform(-1, 1));
+    if (round % 4 == 1) p = piece.point(random.uniform());
+    const double rounding = 1e-14 + 1e-15 * max_magnitude(shift);
+    const double t = piece.nearest_parameter(p), found = distance(p, piece.point(t));
+    CHECK((t >= 0 && t <= 1));
+    double sampled = 10;
+    for (int i = 0; i <= 5000; ++i) sampled = std::min(sampled, distance(p, piece.point(i / 5e3)));
+    CHECK(found <= sampled + rounding);
+    CHECK(found >= sampled - 1e-3);  // no faster than 10
+    if (round % 4 == 1) CHECK(found <= rounding);
+    // Inside, the way to the piece is perpendicular to it.
+    if (t > 0 && t < 1 && shift.isZero()) {
+      CHECK(std::abs((piece.point(t) - p).dot(piece.derivative(t))) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("of several nearest points of a Bezier piece the first counts", "[geometry]") {
+  const CubicBezier arch{{Point(-1, 0), Point(-1, 4), Point(1, 4), Point(1, 0)}};
+  const double first = arch.nearest_parameter({0, 1});  // both flanks are as near
+  CHECK((first > 0 && first < 0.4));
+  CHECK(arch.reversed().nearest_parameter({0, 1}) == Approx(first).epsilon(1e-9));
+  CHECK(arch.nearest_parameter({0, -1}) == 0);
+  CHECK(arch.nearest_parameter({-2, -1}) == 0);
+  CHECK(arch.nearest_parameter({2, -1}) == 1);
+  CHECK(arch.nearest_parameter({0, 9}) == Approx(0.5));
+  const CubicBezier loop{{Point(0, 0), Point(4, 4), Point(-4, 4), Point(0, 0)}};
+  CHECK(loop.nearest_parameter({0, 0}) == 0);
+  const CubicBezier crossing{{Point(-1, 0), Point(3, 3), Point(-3, 3), Point(1, 0)}};
+  const double t = 0.5 - std::sqrt(0.15);  // x = 0 there, and again at 1 - t
+  CHECK(crossing.nearest_parameter({0, crossing.point(t).y()}) == Approx(t).epsilon(1e-12));
+  CHECK(QuadraticBezier{{Point(2, 2), Point(2, 2), Point(2, 2)}}.nearest_parameter({0, 0}) == 0);
+  const CubicBezier straight{{Point(0, 0), Point(1, 0), Point(2, 0), Point(3, 0)}};
+  CHECK(straight.nearest_parameter({1.5, 7}) == Approx(0.5));
+}
+
+TEST_CASE("a point as far from all of a Bezier piece has a nearest one all the same") {
+  // Nearly a circle: the closer the sweep is to 0, the less the distance from the centre varies.
+  for (const double sweep : {1.5, 0.5, 0.1}) {
+    INFO("sweep " << sweep);
+    const double k = 4.0 / 3 * std::tan(sweep / 4);
+    const auto on = [](double angle) { return Point(std::cos(angle), std::sin(angle)); };
+    const CubicBezier arc{{on(0), Point(on(0) + k * perpendicular(on(0))),
+                           Point(on(sweep) - k * perpendicular(on(sweep))), on(sweep)}};
+    CHECK(distance({0, 0}, arc.point(arc.nearest_parameter({0, 0}))) == Approx(1).epsilon(1e-11));
+  }
+}
+
 }  // namespace

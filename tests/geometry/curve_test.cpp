@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -172,6 +174,195 @@ TEST_CASE("samples lie at equal steps no longer than asked, both ends included",
 TEST_CASE("a curve that ends in a standstill keeps its last heading") {
   const Point points[] = {{0, 0}, {0, 1}, {0, 1}};
   CHECK(Curve::polyline(points).heading(1) == Approx(std::acos(-1) / 2));
+}
+
+/// Straight, quadratic, cubic and circular pieces in turn.
+Curve any_curve_with_arcs(Random& random) {
+  Curve curve = any_curve(random);
+  for (int i = 0; i < 2; ++i) {
+    const Point offset{random.uniform(-1, 1), random.uniform(-1, 1)};
+    const double radius = offset.norm(), from = heading(offset), sweep = random.uniform(-6, 6);
+    Arc arc = Arc::around(curve.end() - offset, radius, from, sweep);
+    arc.a = curve.end();
+    curve.push_back(arc);
+  }
+  return curve;
+}
+
+TEST_CASE("the halves of a split curve meet in one point and trace the same points", "[geometry]") {
+  const std::uint64_t seed = 3;
+  Random random(seed);
+  for (std::size_t round = 0; round < test::scaled(40); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const Curve curve = any_curve_with_arcs(random);
+    const double s = random.uniform(0, curve.length());
+    const auto [first, second] = curve.split(s);
+    CHECK(first.start() == curve.start());
+    CHECK(first.end() == second.start());
+    CHECK(second.end() == curve.end());
+    CHECK((first.end() - curve.point(s)).norm() < 1e-11);
+    CHECK(first.length() == Approx(s).margin(1e-10));
+    CHECK(second.length() == Approx(curve.length() - s).margin(1e-10));
+    const double before = random.uniform(0, s), behind = random.uniform(s, curve.length());
+    CHECK((first.point(before) - curve.point(before)).norm() < 1e-9);
+    CHECK((second.point(behind - s) - curve.point(behind)).norm() < 1e-9);
+  }
+}
+
+TEST_CASE("split at an end or a joint a curve keeps its pieces whole", "[geometry]") {
+  const Curve curve = polyline({{0, 0}, {3, 4}, {3, 10}});
+  for (const double s : {0.0, -1.0, 1e-13}) {
+    const auto [point, rest] = curve.split(s);
+    CHECK((point.length() == 0 && point.pieces().size() == 1));
+    CHECK(point.start() == Point(0, 0));
+    CHECK((rest.length() == 11 && rest.pieces().size() == 2));
+  }
+  for (const double s : {11.0, 99.0, 11 - 1e-12}) {
+    const auto [rest, point] = curve.split(s);
+    CHECK((point.length() == 0 && point.pieces().size() == 1));
+    CHECK(point.start() == Point(3, 10));
+    CHECK((rest.length() == 11 && rest.pieces().size() == 2));
+  }
+  for (const double s : {5.0, 5 - 1e-13, 5 + 1e-13}) {
+    const auto [first, second] = curve.split(s);
+    CHECK((first.pieces().size() == 1 && second.pieces().size() == 1));
+    CHECK(second.start() == Point(3, 4));
+  }
+  const auto [a, b] = polyline({{7, -2}}).split(0);
+  CHECK((a.start() == Point(7, -2) && a.end() == b.start() && b.end() == Point(7, -2)));
+}
+
+TEST_CASE("a reversed curve visits the same points the other way round", "[geometry]") {
+  const std::uint64_t seed = 4;
+  Random random(seed);
+  for (std::size_t round = 0; round < test::scaled(20); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const Curve curve = any_curve_with_arcs(random), back = curve.reversed();
+    const double s = random.uniform(0, curve.length());
+    CHECK((back.start() == curve.end() && back.end() == curve.start()));
+    CHECK(back.length() == Approx(curve.length()).epsilon(1e-12));
+    CHECK((back.point(curve.length() - s) - curve.point(s)).norm() < 1e-9);
+    CHECK(std::abs(std::remainder(back.heading(curve.length() - s) - curve.heading(s) - pi,
+                                  2 * pi)) < 1e-5);
+    CHECK(back.reversed().pieces().size() == curve.pieces().size());
+  }
+  CHECK(Curve().reversed().empty());
+}
+
+TEST_CASE("joints are the start and the end of every piece", "[geometry]") {
+  const std::vector<Point> points{{0, 0}, {3, 4}, {3, 4}, {3, 10}};
+  CHECK(joints(polyline(points)) == points);
+  CHECK(joints(Curve()).empty());
+}
+
+TEST_CASE("the nearest point of a curve is as near as any sample", "[geometry]") {
+  const std::uint64_t seed = 5;
+  Random random(seed);
+  for (std::size_t round = 0; round < test::scaled(40); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const Curve curve = any_curve_with_arcs(random);
+    const Point p{random.uniform(-2, 2), random.uniform(-2, 2)};
+    const NearestPoint found = curve.nearest(p);
+    double sampled = 100;
+    for (const CurvePoint& at : curve.sample(0.01)) {
+      sampled = std::min(sampled, distance(p, at.position));
+    }
+    CHECK(found.distance <= sampled + 1e-11);
+    CHECK(found.distance >= sampled - 0.006);
+    CHECK(found.distance == distance(p, found.position));
+    CHECK((found.s >= 0 && found.s <= curve.length()));
+    CHECK((curve.point(found.s) - found.position).norm() < 1e-10);
+    const double s = random.uniform(0, curve.length());
+    CHECK(curve.nearest(curve.point(s)).distance < 1e-11);
+  }
+}
+
+TEST_CASE("of several nearest points of a curve the first counts", "[geometry]") {
+  const Curve square = polyline({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  CHECK(square.nearest({1, 1}).s == 1);
+  CHECK(square.nearest({1, 1}).distance == 1);
+  CHECK(square.nearest({3, 3}).s == 4);  // a joint
+  CHECK(square.nearest({-1, -1}).s == 0);
+  CHECK(square.nearest({-1, -1}).position == Point(0, 0));
+  CHECK(square.nearest({1.5, 5}).position == Point(1.5, 2));
+  CHECK(square.nearest({1.5, 5}).s == 4.5);
+  CHECK(polyline({{7, -2}}).nearest({4, 2}).distance == 5);
+}
+
+/// The largest curvature of a piece among samples, taken ever closer around every peak.
+double sampled_curvature(const CubicBezier& piece) {
+  const int count = 2000, closer = 40;
+  double largest = 0;
+  const auto at = [&](double t) {
+    return std::abs(tutavia::curvature(piece, std::clamp(t, 0.0, 1.0)));
+  };
+  for (int i = 0; i <= count; ++i) {
+    double peak = static_cast<double>(i) / count, step = 1.0 / count;
+    if (at(peak) < at(peak - step) || at(peak) < at(peak + step)) continue;
+    for (int round = 0; round < 5; ++round, step /= closer / 2) {
+      const double middle = peak;
+      for (int k = -closer; k <= closer; ++k) {
+        const double t = middle + step * k / closer;
+        if (at(t) > at(peak)) peak = t;
+      }
+    }
+    largest = std::max(largest, at(peak));
+  }
+  return largest;
+}
+
+TEST_CASE("the largest curvature of a cubic piece is that of its closest sample", "[geometry]") {
+  const std::uint64_t seed = 6;
+  Random random(seed);
+  for (std::size_t round = 0; round < test::scaled(300); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    CubicBezier piece;
+    for (Point& p : piece.points) p = {random.uniform(0, 4), random.uniform(0, 4)};
+    if (round % 5 == 1) piece.points[2] = lerp(piece.points[3], piece.points[0], 0.3);
+    if (round % 5 == 2) {  // a parabola
+      const Point middle = piece.points[1];
+      piece.points[1] = lerp(piece.points[0], middle, 2.0 / 3);
+      piece.points[2] = lerp(piece.points[3], middle, 2.0 / 3);
+    }
+    const double scale = std::pow(10, random.uniform(-12, 12));
+    if (round % 5 == 3) {
+      for (Point& p : piece.points) p *= scale;
+    }
+    const double sampled = sampled_curvature(piece), found = max_curvature(piece);
+    CHECK(found >= sampled * (1 - 1e-9));
+    CHECK(found == Approx(sampled).epsilon(1e-6));
+    CHECK(max_curvature(piece.reversed()) == Approx(found).epsilon(1e-9));
+    CHECK(max_curvature(Piece{piece}) == found);
+  }
+}
+
+TEST_CASE("the largest curvature grows as a cubic piece nears a cusp", "[geometry]") {
+  for (const double miss : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
+    CAPTURE(miss);
+    // At t = 1/2 it is slowest, 3/2 miss, and its acceleration is 6 across.
+    const CubicBezier piece{{Point(0, 0), Point(1 + miss, 1), Point(-miss, 1), Point(1, 0)}};
+    const double speed = 1.5 * miss;
+    CHECK(max_curvature(piece) >= (1 - 1e-12) * std::abs(curvature(piece, 0.5)));
+    CHECK(max_curvature(piece) == Approx(6 / (speed * speed)).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("at a cusp the curvature is infinite, on straight pieces it is 0", "[geometry]") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const CubicBezier cusp{{Point(0, 0), Point(1, 1), Point(0, 1), Point(1, 0)}};
+  CHECK(max_curvature(cusp) == infinity);
+  CHECK(max_curvature(CubicBezier{{Point(0, 0), Point(0, 0), Point(1, 1), Point(2, 0)}}) ==
+        infinity);
+  CHECK(max_curvature(CubicBezier{{Point(0, 0), Point(1, 3), Point(3, 9), Point(-1, -3)}}) == 0);
+  CHECK(max_curvature(CubicBezier{{Point(1, 1), Point(1, 1), Point(1, 1), Point(1, 1)}}) == 0);
+  CHECK(max_curvature(QuadraticBezier{{Point(0, 0), Point(3, 1), Point(1.5, 0.5)}}) == 0);
+  CHECK(max_curvature(QuadraticBezier{{Point(0.1, 0.7), Point(0.1, 0.7), Point(0.3, 2)}}) == 0);
+  CHECK(max_curvature(Segment{{0, 0}, {1, 1}}) == 0);
+  CHECK(max_curvature(Arc::around({3, 3}, 0.5, 1, -2)) == 2);
+  CHECK(max_curvature(Arc::around({3, 3}, 0, 1, -2)) == 0);
+  const double nan = std::nan("");
+  CHECK_FALSE(std::isnan(
+      max_curvature(CubicBezier{{Point(0, 0), Point(nan, 1), Point(0, 1), Point(1, 0)}})));
 }
 
 }  // namespace

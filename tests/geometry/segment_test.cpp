@@ -173,4 +173,25 @@ TEST_CASE("the place where nearly collinear segments meet lies on both") {
   }
 }
 
+TEST_CASE("parts of a segment and its reverse have exact ends", "[geometry]") {
+  const std::uint64_t seed = 8;
+  Random random(seed);
+  for (std::size_t round = 0; round < test::scaled(200); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const Segment s{any_point(random, 1e6), any_point(random, round % 2 == 0 ? 1 : 1e6)};
+    const double from = random.uniform(), to = random.uniform(from, 1), t = random.uniform();
+    const Segment part = s.part(from, to);
+    CHECK(part.a == s.point(from));
+    CHECK(part.b == s.point(to));
+    CHECK((part.point(t) - s.point(from + t * (to - from))).norm() < 1e-8);
+    CHECK(s.part(0, to).a == s.a);
+    CHECK(s.part(from, 1).b == s.b);
+    CHECK(s.part(0, to).b == s.part(to, 1).a);
+    CHECK(s.part(0, 0).b == s.a);
+    CHECK(s.part(1, 1).a == s.b);
+    CHECK(s.reversed().a == s.b);
+    CHECK(s.reversed().b == s.a);
+  }
+}
+
 }  // namespace

@@ -29,6 +29,8 @@ TEST_CASE("a plan's numbers read back to the same doubles") {
   CHECK(result["fell_back"] == false);
   CHECK(result["start"] == Json{scene.start.x(), scene.start.y()});
   CHECK(result["metrics"]["length"].get<double>() == plan.metrics.length);
+  CHECK(result["metrics"]["max_joint_deflection"].get<double>() ==
+        plan.metrics.max_joint_deflection);
   CHECK(result["certificate"]["status"] == "proved");
   CHECK(result["certificate"]["lower"].get<double>() == plan.certificate.lower);
   REQUIRE(result["curve"].size() == plan.curve.pieces().size());
@@ -48,8 +50,9 @@ TEST_CASE("a plan's numbers read back to the same doubles") {
   }
   CHECK(beziers > 0);
   CHECK(result["route"].size() == plan.route.curve.pieces().size());
-  for (const char* key : {"turning_points", "turning_angle", "interior_angle_sum", "max_curvature",
-                          "min_clearance", "mean_clearance"}) {
+  for (const char* key :
+       {"turning_points", "turning_angle", "interior_angle_sum", "max_joint_deflection",
+        "max_curvature", "min_clearance", "mean_clearance"}) {
     CHECK(result["metrics"].contains(key));
   }
   for (const char* key :

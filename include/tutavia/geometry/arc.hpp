@@ -52,6 +52,13 @@ struct Arc {
   double length() const { return radius * std::abs(sweep); }
   double length_to(double t) const { return t * length(); }
 
+  /// The part over [from, to], with the ends point(from) and point(to). \pre 0 <= from <= to <= 1
+  Arc part(double from, double to) const {
+    const double angle = start_angle + from * sweep;
+    return {point(from), point(to), center, radius, angle, (to - from) * sweep};
+  }
+  Arc reversed() const { return {b, a, center, radius, start_angle + sweep, -sweep}; }
+
   bool is_finite() const {
     return tutavia::is_finite(a) && tutavia::is_finite(b) && tutavia::is_finite(center) &&
            std::isfinite(radius) && std::isfinite(start_angle) &&
@@ -68,11 +75,27 @@ struct Arc {
     return turn / sweep;
   }
 
-  /// Calls `visit(t)` for every place between the ends where x or y is extreme.
+  /// Parameter of the point nearest to `p`, the smallest where several are as near.
+  double nearest_parameter(const Point& p) const {
+    const double towards = parameter_towards({p.x() - center.x(), p.y() - center.y()});
+    double nearest = 0, least = distance(p, a);
+    for (const double t : {towards, 1.0}) {
+      if (!(t > 0 && t <= 1)) continue;
+      const double d = distance(p, point(t));
+      if (d < least) nearest = t, least = d;
+    }
+    return nearest;
+  }
+
+  /// Calls `visit(t)` for every place between the ends where x or y is extreme: at whole quarters
+  /// of a turn.
   template <class Visit>
   void for_each_extreme(Visit visit) const {
-    for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)}) {
-      const double t = parameter_towards(axis);
+    constexpr double quarter = std::numbers::pi / 2;
+    const double end_angle = start_angle + sweep, last = std::fmax(start_angle, end_angle);
+    double k = std::ceil(std::fmin(start_angle, end_angle) / quarter);
+    for (int count = 0; count < 6 && k * quarter <= last; ++count, ++k) {
+      const double t = (k * quarter - start_angle) / sweep;
       if (t > 0 && t < 1) visit(t);
     }
   }

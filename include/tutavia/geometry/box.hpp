@@ -25,8 +25,9 @@ struct Box {
   }
 
   void include(const Point& p) {
-    min = {std::fmin(min.x(), p.x()), std::fmin(min.y(), p.y())};
-    max = {std::fmax(max.x(), p.x()), std::fmax(max.y(), p.y())};
+    // Not std::fmin and std::fmax, which are function calls; NaN is left out all the same.
+    min = {p.x() < min.x() ? p.x() : min.x(), p.y() < min.y() ? p.y() : min.y()};
+    max = {p.x() > max.x() ? p.x() : max.x(), p.y() > max.y() ? p.y() : max.y()};
   }
 
   bool contains(const Point& p) const {

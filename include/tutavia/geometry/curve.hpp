@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "tutavia/core/assert.hpp"
 #include "tutavia/geometry/arc.hpp"
 #include "tutavia/geometry/bezier.hpp"
+#include "tutavia/geometry/curvature.hpp"
 #include "tutavia/geometry/segment.hpp"
 
 /// \file
@@ -22,7 +22,8 @@ namespace tutavia {
 
 /// One part of a curve. Every kind has start(), end(), point(t), derivative(t),
 /// second_derivative(t), start_direction(), end_direction(), length(), length_to(t), box(),
-/// is_finite() and, where it is not straight or circular, deviation() and halves().
+/// is_finite(), part(from, to), reversed(), nearest_parameter(p) and, where it is not straight or
+/// circular, deviation() and halves().
 using Piece = std::variant<Segment, QuadraticBezier, CubicBezier, Arc>;
 
 /// What a curve does at one place.
@@ -31,6 +32,13 @@ struct CurvePoint {
   Point position = Point::Zero();
   double heading = 0;    ///< direction of travel in (-pi, pi] [rad]
   double curvature = 0;  ///< 1/m, left turns positive
+};
+
+/// The place of a curve that is nearest to some point.
+struct NearestPoint {
+  double s = 0;  ///< arc length from the start [m]
+  Point position = Point::Zero();
+  double distance = 0;  ///< [m]
 };
 
 /// Start of a piece of any kind.
@@ -43,13 +51,46 @@ inline Point end_of(const Piece& piece) {
   return std::visit([](const auto& p) -> Point { return p.end(); }, piece);
 }
 
-/// Curvature at parameter t [1/m], left turns positive; 0 where the piece stands still.
-template <class P>
-double curvature(const P& piece, double t) {
-  const Point d = piece.derivative(t);
-  const double speed = d.norm();
-  return speed > 0 ? cross(d, piece.second_derivative(t)) / (speed * speed * speed) : 0.0;
+/// Largest magnitude of the curvature of a piece of any kind [1/m].
+inline double max_curvature(const Piece& piece) {
+  return std::visit([](const auto& p) { return max_curvature(p); }, piece);
 }
+
+namespace detail {
+
+/// What a piece does at parameter t; its arc length is left at 0.
+template <class P>
+CurvePoint state(const P& piece, double t) {
+  Point direction = piece.derivative(t);
+  if (is_null(direction)) {
+    direction = t < 0.5 ? piece.start_direction() : piece.end_direction();
+  }
+  return {0, piece.point(t), heading(direction), curvature(piece, t)};
+}
+
+/// The parameter at which a piece of length `total` has the arc length s: Newton's method from
+/// `guess`, kept within a bracket.
+template <class P>
+double parameter_at(const P& piece, double s, double total, double guess) {
+  if (!(total > 0)) return 0;
+  if (s >= total) return 1;
+  if constexpr (requires { piece.halves(); }) {
+    const P seen = piece.seen_from(piece.start());
+    double low = 0, high = 1, t = 0 < guess && guess < 1 ? guess : s / total;
+    for (int i = 0; i < 60; ++i) {
+      const double error = seen.length_to(t) - s;
+      if (std::abs(error) <= 1e-13 * total) break;
+      (error > 0 ? high : low) = t;
+      const double next = t - error / seen.derivative(t).norm();
+      t = low < next && next < high ? next : 0.5 * (low + high);
+    }
+    return t;
+  } else {
+    return s / total;
+  }
+}
+
+}  // namespace detail
 
 /// A chain of pieces, each starting exactly where the one before ends. Arc length runs from 0 to
 /// length(); places outside are clamped. At a joint the later piece counts.
@@ -83,6 +124,8 @@ class Curve {
   const std::vector<Piece>& pieces() const { return pieces_; }
   bool empty() const { return pieces_.empty(); }
   double length() const { return ends_.empty() ? 0.0 : ends_.back(); }
+  /// Arc length at which piece i begins; that of the whole curve for i = number of pieces.
+  double length_before(std::size_t i) const { return i == 0 ? 0.0 : ends_[i - 1]; }
 
   /// \pre not empty
   Point start() const { return start_of(pieces_.front()); }
@@ -93,7 +136,8 @@ class Curve {
   /// \pre not empty
   CurvePoint at(double s) const {
     const auto [i, t] = locate(s);
-    CurvePoint result = std::visit([t = t](const auto& p) { return state(p, t); }, pieces_[i]);
+    CurvePoint result =
+        std::visit([t = t](const auto& p) { return detail::state(p, t); }, pieces_[i]);
     result.s = std::clamp(s, 0.0, length());
     return result;
   }
@@ -111,9 +155,72 @@ class Curve {
       while (i > 1 && ends_[i - 2] == length()) --i;
       return {i - 1, 1.0};
     }
-    const double local = s - (i == 0 ? 0.0 : ends_[i - 1]);
-    const double total = ends_[i] - (i == 0 ? 0.0 : ends_[i - 1]);
-    return {i, std::visit([&](const auto& p) { return parameter(p, local, total); }, pieces_[i])};
+    const double local = s - length_before(i), total = ends_[i] - length_before(i);
+    return {i,
+            std::visit(
+                [&](const auto& p) { return detail::parameter_at(p, local, total, local / total); },
+                pieces_[i])};
+  }
+
+  /// The point of the curve nearest to `p`, at the least arc length where several are as near: in
+  /// closed form on segments and arcs, by branch and bound on Bezier pieces (tolerance: see
+  /// Bezier::nearest_parameter).
+  /// \pre not empty
+  NearestPoint nearest(const Point& p) const {
+    TUTAVIA_ASSERT(!empty());
+    NearestPoint best{0, start(), distance(p, start())};
+    std::size_t nearest_piece = 0;
+    double parameter = 0;
+    const auto look_at = [&](std::size_t i, const auto& piece) {
+      if constexpr (requires { piece.deviation(); }) {
+        const Segment chord{piece.start(), piece.end()};
+        if (distance(p, chord) - piece.deviation() > best.distance) return;
+      }
+      const double t = piece.nearest_parameter(p);
+      const Point position = piece.point(t);
+      const double gap = distance(p, position);
+      if (gap < best.distance) best = {0, position, gap}, nearest_piece = i, parameter = t;
+    };
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      std::visit([&](const auto& piece) { look_at(i, piece); }, pieces_[i]);
+    }
+    const double local = std::visit([&](const auto& piece) { return piece.length_to(parameter); },
+                                    pieces_[nearest_piece]);
+    best.s = std::min(length_before(nearest_piece) + local, ends_[nearest_piece]);
+    return best;
+  }
+
+  /// The curves before and after arc length s; they meet in the same point, exactly. A side of no
+  /// length is one point, and a joint within 1e-12 of the length from s is where the curve is
+  /// split, so that no slivers come about.
+  /// \pre not empty
+  std::pair<Curve, Curve> split(double s) const {
+    auto [i, t] = locate(s);
+    s = std::clamp(s, 0.0, length());
+    const double behind = s - length_before(i), ahead = ends_[i] - s;
+    if (std::min(behind, ahead) <= 1e-12 * length()) t = behind < ahead ? 0 : 1;
+    Curve first, second;
+    for (std::size_t k = 0; k < i; ++k) first.push_back(pieces_[k]);
+    std::visit(
+        [&, t = t](const auto& piece) {
+          if (t > 0) first.push_back(piece.part(0, t));
+          if (t < 1) second.push_back(piece.part(t, 1));
+        },
+        pieces_[i]);
+    for (std::size_t k = i + 1; k < pieces_.size(); ++k) second.push_back(pieces_[k]);
+    if (first.empty()) first.push_back(Segment{start(), start()});
+    if (second.empty()) second.push_back(Segment{end(), end()});
+    return {std::move(first), std::move(second)};
+  }
+
+  /// The same points from the end to the start.
+  Curve reversed() const {
+    Curve result;
+    result.reserve(pieces_.size());
+    for (std::size_t i = pieces_.size(); i-- > 0;) {
+      std::visit([&](const auto& piece) { result.push_back(piece.reversed()); }, pieces_[i]);
+    }
+    return result;
   }
 
   /// States at equal steps of arc length, at most `step` apart, both ends included.
@@ -131,36 +238,18 @@ class Curve {
   }
 
  private:
-  template <class P>
-  static CurvePoint state(const P& piece, double t) {
-    Point direction = piece.derivative(t);
-    if (is_null(direction)) {
-      direction = t < 0.5 ? piece.start_direction() : piece.end_direction();
-    }
-    return {0, piece.point(t), tutavia::heading(direction), tutavia::curvature(piece, t)};
-  }
-
-  /// The parameter at which a piece of length `total` has the arc length s: Newton's method, kept
-  /// within a bracket.
-  template <class P>
-  static double parameter(const P& piece, double s, double total) {
-    if (!(total > 0)) return 0;
-    if (s >= total) return 1;
-    double low = 0, high = 1, t = s / total;
-    if constexpr (!std::is_same_v<P, Segment> && !std::is_same_v<P, Arc>) {
-      for (int i = 0; i < 60; ++i) {
-        const double error = piece.length_to(t) - s;
-        if (std::abs(error) <= 1e-13 * total) break;
-        (error > 0 ? high : low) = t;
-        const double next = t - error / piece.derivative(t).norm();
-        t = low < next && next < high ? next : 0.5 * (low + high);
-      }
-    }
-    return t;
-  }
-
   std::vector<Piece> pieces_;
   std::vector<double> ends_;  // arc length at the end of each piece
 };
+
+/// The joints of a curve: its start and the end of every piece.
+inline std::vector<Point> joints(const Curve& curve) {
+  std::vector<Point> points;
+  if (curve.empty()) return points;
+  points.reserve(curve.pieces().size() + 1);
+  points.push_back(curve.start());
+  for (const Piece& piece : curve.pieces()) points.push_back(end_of(piece));
+  return points;
+}
 
 }  // namespace tutavia

@@ -31,6 +31,11 @@ struct Segment {
   double length_to(double t) const { return t * length(); }
   Box box() const { return Box::around({a, b}); }
   bool is_finite() const { return tutavia::is_finite(a) && tutavia::is_finite(b); }
+  /// The part over [from, to], with the ends point(from) and point(to). \pre 0 <= from <= to <= 1
+  Segment part(double from, double to) const {
+    return {from == 0 ? a : point(from), to == 1 ? b : point(to)};
+  }
+  Segment reversed() const { return {b, a}; }
   /// Parameter of the point nearest to `p`.
   double nearest_parameter(const Point& p) const {
     const Point d = b - a;

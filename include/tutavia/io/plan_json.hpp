@@ -73,7 +73,7 @@ inline ResultJson result_head(const ResultHeader& header, std::string_view statu
 }  // namespace detail
 
 /// One entry of `results` for a plan. Numbers read back to the same double; infinite ones (the
-/// clearance where there are no obstacles) are null.
+/// clearance where there are no obstacles, the curvature of a cusp) are null.
 inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const Plan& plan) {
   auto json = detail::result_head(header, "success");
   const PathMetrics& m = plan.metrics;
@@ -85,6 +85,7 @@ inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const P
                      {"turning_points", m.turning_points},
                      {"turning_angle", m.turning_angle},
                      {"interior_angle_sum", m.interior_angle_sum},
+                     {"max_joint_deflection", m.max_joint_deflection},
                      {"max_curvature", m.max_curvature},
                      {"min_clearance", m.min_clearance},
                      {"mean_clearance", m.mean_clearance}};

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "tutavia/certify/certificate.hpp"
+#include "tutavia/geometry/curvature.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -28,7 +29,10 @@ struct PathMetrics {
   /// Sum of pi - |turn| over the turning points [rad]: the figure that the DSP paper prints (in
   /// degrees) as "total turning angle". It rewards few turns, not gentle ones.
   double interior_angle_sum = 0;
-  double max_curvature = 0;   ///< of the pieces [1/m]; corners between pieces are turning, not this
+  /// Largest magnitude of a turn at a joint between two pieces [rad]; 0 for a smooth path.
+  double max_joint_deflection = 0;
+  /// Of the pieces [1/m]; corners between pieces are turning, not this. Infinite at cusps.
+  double max_curvature = 0;
   double min_clearance = 0;   ///< the proved lower bound [m]
   double mean_clearance = 0;  ///< over arc length [m], by 256 samples
 };
@@ -44,6 +48,10 @@ class TurnCounter {
     if (angle * run_ < 0) end_run();
     run_ += angle;
     metrics_.turning_angle += std::abs(angle);
+  }
+  void joint(double angle) {
+    metrics_.max_joint_deflection = std::max(metrics_.max_joint_deflection, std::abs(angle));
+    turn(angle);
   }
   void end_run() {
     constexpr double least = 0.5 * std::numbers::pi / 180;
@@ -81,28 +89,6 @@ auto turning_intervals(const P& piece) {
   return t;
 }
 
-template <class P>
-double max_curvature(const P& piece) {
-  double result = 0;
-  const auto include = [&](double t) {
-    result = std::max(result, std::abs(curvature(piece, std::clamp(t, 0.0, 1.0))));
-  };
-  if constexpr (std::is_same_v<P, Arc>) {
-    result = 1 / piece.radius;
-  } else if constexpr (std::is_same_v<P, QuadraticBezier>) {
-    // A parabola bends most where its velocity is perpendicular to its acceleration.
-    const Point acceleration = piece.second_derivative(0);
-    const double square = acceleration.squaredNorm();
-    if (square > 0) include(-piece.derivative(0).dot(acceleration) / square);
-    include(0);
-    include(1);
-  } else if constexpr (std::is_same_v<P, CubicBezier>) {
-    constexpr int samples = 256;
-    for (int i = 0; i <= samples; ++i) include(static_cast<double>(i) / samples);
-  }
-  return result;
-}
-
 }  // namespace detail
 
 /// Length, turning and curvature of a curve; the clearances are left at 0.
@@ -116,12 +102,12 @@ inline PathMetrics measure(const Curve& curve) {
         [&](const auto& piece) {
           using P = std::decay_t<decltype(piece)>;
           if (is_null(piece.start_direction())) return;  // a single point
-          if (!is_null(heading)) turns.turn(deflection(heading, piece.start_direction()));
+          if (!is_null(heading)) turns.joint(deflection(heading, piece.start_direction()));
+          metrics.max_curvature = std::max(metrics.max_curvature, max_curvature(piece));
           if constexpr (std::is_same_v<P, Segment>) {
             turns.end_run();
           } else if constexpr (std::is_same_v<P, Arc>) {
             turns.turn(piece.sweep);
-            metrics.max_curvature = std::max(metrics.max_curvature, detail::max_curvature(piece));
           } else {
             Point before = piece.start_direction();
             for (const double t : detail::turning_intervals(piece)) {
@@ -130,7 +116,6 @@ inline PathMetrics measure(const Curve& curve) {
               turns.turn(deflection(before, after));
               before = after;
             }
-            metrics.max_curvature = std::max(metrics.max_curvature, detail::max_curvature(piece));
           }
           heading = piece.end_direction();
         },
