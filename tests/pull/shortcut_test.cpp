@@ -19,15 +19,12 @@ TEST_CASE("in the open, shortcuts leave one straight line") {
 }
 
 TEST_CASE("shortcuts look along n joints about n log n times") {
-  struct CountingSpace {
-    InflatedSpace space;
+  struct CountingSpace : InflatedSpace {
     mutable std::size_t looks = 0;
-    bool is_free(const Point& p) const { return space.is_free(p); }
     bool segment_free(const Point& p, const Point& q) const {
       ++looks;
-      return space.segment_free(p, q);
+      return InflatedSpace::segment_free(p, q);
     }
-    Box bounds() const { return space.bounds(); }
   };
   const CountingSpace space{
       InflatedSpace::build(

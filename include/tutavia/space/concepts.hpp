@@ -56,6 +56,15 @@ concept ClearanceSpace = FreeSpace<S> &&
   { s.magnitude() } -> std::same_as<double>;
 };
 
+/// A space that knows its obstacles' edges: `for_each_feature(box, visit)` calls `visit(core,
+/// radius)` for every edge (radius 0) and disc (a point with a radius) whose box meets the box, and
+/// perhaps for others. Edges follow one another around closed outlines, so that every vertex is the
+/// first end of one.
+template <class S>
+concept FeatureSpace = ClearanceSpace<S> && requires(const S& s, const Box& box) {
+  s.for_each_feature(box, [](const Segment&, double) {});
+};
+
 /// Free space with nodes: `links(p)` joins any point to those around it by proved segments.
 template <class S>
 concept LinkedSpace = FreeSpace<S> && requires(const S& s, const Point& p) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -50,7 +51,9 @@ class InflatedSpace {
 
   /// Distance from a segment or an arc to the nearest obstacle edge or disc; see ClearanceSpace.
   template <class P>
-  Proximity nearest(const P& piece, double cap) const;
+  Proximity nearest(const P& piece, double cap) const {
+    return nearest_or_less(piece, cap, -std::numeric_limits<double>::infinity());
+  }
 
   /// Whether `p`, which lies on no edge, is inside a polygon.
   bool is_inside(const Point& p) const;
@@ -84,6 +87,13 @@ class InflatedSpace {
   explicit InflatedSpace(Workspace workspace);
 
   void add_ring(const Ring& ring, std::uint32_t obstacle, bool is_hole, std::uint32_t& edge);
+  /// `nearest`, or any distance below `enough` where there is one.
+  template <class P>
+  Proximity nearest_or_less(const P& piece, double cap, double enough) const;
+  /// Into how many parts to cut a box along its diagonal so that a query costs least: about as much
+  /// as 20 features, apart from the features in it.
+  int parts_along(const Segment& segment, double reach) const;
+  static int parts_along(const Arc&, double) { return 1; }
   /// segment_free for safety radius 0.
   bool segment_free_at_contact(const Point& p, const Point& q) const;
   double depth(std::uint32_t obstacle, const Point& p) const;
@@ -93,6 +103,7 @@ class InflatedSpace {
   std::vector<Feature> features_;
   std::vector<std::size_t> first_feature_;  // per obstacle, and one past the last
   Box extent_;                              // of all features
+  double density_ = 0;                      // features per square metre
   std::vector<Touch> may_touch_;            // per obstacle; filled for safety radius 0
   BoxTree edges_;
   BoxTree areas_;  // boxes of the polygons
@@ -127,6 +138,8 @@ inline InflatedSpace::InflatedSpace(Workspace workspace)
     extent_.include(box.max);
     edges.emplace_back(box, i);
   }
+  const double area = extent_.width() * extent_.height();
+  if (area > 0) density_ = static_cast<double>(features_.size()) / area;
   if (safety_radius() == 0) {
     for (const Obstacle& obstacle : workspace_.obstacles) {
       const Polygon* polygon = std::get_if<Polygon>(&obstacle);
@@ -163,8 +176,9 @@ inline bool InflatedSpace::segment_free(const Point& p, const Point& q) const {
   if (safety_radius() == 0) return segment_free_at_contact(p, q);
   const Segment segment{p, q};
   const double reach = safety_radius() + slack();
-  const double distance = nearest(segment, reach).distance;
-  if (distance < safety_radius() - slack()) return false;
+  const double blocked = safety_radius() - slack();
+  const double distance = nearest_or_less(segment, reach, blocked).distance;
+  if (distance < blocked) return false;
   bool free = true;
   if (distance < reach) {  // a tie: to be settled exactly
     edges_.for_each_in(segment.box().inflated(reach), [&](std::uint32_t i) {
@@ -193,15 +207,31 @@ inline bool InflatedSpace::segment_free_at_contact(const Point& p, const Point& 
   return free;
 }
 
+inline int InflatedSpace::parts_along(const Segment& segment, double reach) const {
+  const Box box = segment.box();
+  const double inside = density_ * box.width() * box.height();
+  const double parts = std::sqrt(inside / (20 + 4 * density_ * reach * reach));
+  return parts < 2 ? 1 : static_cast<int>(std::fmin(parts, 64));
+}
+
 template <class P>
-Proximity InflatedSpace::nearest(const P& piece, double cap) const {
+Proximity InflatedSpace::nearest_or_less(const P& piece, double cap, double enough) const {
   const Box box = piece.box();
   const double first_reach = safety_radius() + (bounds().width() + bounds().height()) / 64;
   return nearest_feature(piece, cap, first_reach, extent_, [&](double reach, auto visit) {
-    edges_.for_each_in(box.inflated(reach), [&](std::uint32_t i) {
-      const Feature& f = features_[i];
-      visit(f.core, f.radius, f.obstacle, f.edge);
-    });
+    double least = reach;
+    const auto look_in = [&](const Box& part) {
+      edges_.for_each_in(part.inflated(reach), [&](std::uint32_t i) {
+        const Feature& f = features_[i];
+        least = visit(f.core, f.radius, f.obstacle, f.edge);
+      });
+    };
+    // The box of a long slanted segment holds much that is far from it: boxes of its parts do not.
+    const int parts = parts_along(piece, reach);
+    if (parts == 1) return look_in(box);
+    for (int k = 0; k < parts && least >= enough; ++k) {
+      look_in(Box::around({piece.point(double(k) / parts), piece.point((k + 1.0) / parts)}));
+    }
   });
 }
 

@@ -18,13 +18,6 @@
 
 namespace tutavia {
 
-/// A space that knows its obstacles' edges: `for_each_feature(box, visit)` calls `visit(core,
-/// radius)` for every edge (radius 0) and disc (a point with a radius) whose box meets the box.
-template <class S>
-concept FeatureSpace = ClearanceSpace<S> && requires(const S& s, const Box& box) {
-  s.for_each_feature(box, [](const Segment&, double) {});
-};
-
 namespace detail {
 
 /// Part of the boundary of free space: a circle around an obstacle's vertex or disc, or an edge of

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "tutavia/certify/piece_proof.hpp"
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/pull/grid_nodes.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// What every smoother asks of its input first.
+
+namespace tutavia {
+
+/// Checks that every piece of a curve is proved free. `invalid_input` with the first piece that is
+/// not and its ends, what the budget says.
+template <ClearanceSpace S>
+Expected<void, Failure> check_free(const S& space, const Curve& curve, const Budget& budget) {
+  for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
+    if (i % 64 == 0) {
+      if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
+    }
+    const Piece& piece = curve.pieces()[i];
+    if (std::visit([&](const auto& p) { return is_proved_free(space, p); }, piece)) continue;
+    const Point a = start_of(piece), b = end_of(piece);
+    std::ostringstream detail;
+    detail << "segment " << i << " of the route, from (" << a.x() << ", " << a.y() << ") to ("
+           << b.x() << ", " << b.y() << "), is not free";
+    return fail(PlanError::invalid_input, detail.str());
+  }
+  return {};
+}
+
+/// The joints of a polyline that is proved free. `invalid_input` as `check_free`, and for a curved
+/// piece; `taker` says who takes polylines only.
+template <ClearanceSpace S>
+Expected<std::vector<Point>, Failure> free_polyline(const S& space, const Curve& curve,
+                                                    const Budget& budget, std::string_view taker) {
+  const auto is_straight = [](const Piece& p) { return std::holds_alternative<Segment>(p); };
+  if (!std::all_of(curve.pieces().begin(), curve.pieces().end(), is_straight)) {
+    return fail(PlanError::invalid_input, std::string(taker) + " takes polylines only");
+  }
+  if (const auto free = check_free(space, curve, budget); !free) return Unexpected{free.error()};
+  return joints(curve);
+}
+
+/// The same with the nodes that a grid path passes.
+template <ClearanceSpace S>
+Expected<std::vector<Point>, Failure> free_nodes(const S& space, const Curve& curve,
+                                                 const Budget& budget, std::string_view taker) {
+  auto nodes = free_polyline(space, split_at_nodes(space, curve), budget, taker);
+  // A run can be free while a step of it, whose ends are rounded, is not.
+  return nodes ? nodes : free_polyline(space, curve, budget, taker);
+}
+
+}  // namespace tutavia

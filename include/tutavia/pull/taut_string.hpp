@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tutavia/certify/piece_proof.hpp"
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/bitangent.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/geometry/predicates.hpp"
+#include "tutavia/pull/route_check.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// TautString: the shortest curve in the homotopy class of a path.
+
+namespace tutavia {
+
+namespace detail {
+
+/// The rectangle around some points, along the line from the first of them to `end`.
+class Band {
+ public:
+  /// \pre not empty
+  Band(const std::vector<Point>& points, const Point& end) : origin_(points.front()) {
+    const Point way{end.x() - origin_.x(), end.y() - origin_.y()};
+    const double length = way.norm();
+    if (length > 0) along_ = {way.x() / length, way.y() / length};
+    for (const Point& p : points) box_.include(seen(p));
+  }
+
+  /// Whether a circle lies outside. Most circles in the box of a slanted band do.
+  bool is_far(const SidedCircle& circle) const {
+    return !box_.inflated(circle.radius).contains(seen(circle.center));
+  }
+
+  /// Calls `visit(box)` for boxes that together hold the band: one, or several along it where that
+  /// is much less of the plane, `margin` around each counted in.
+  template <class Visit>
+  void for_each_box(double margin, Visit visit) const {
+    const double wide = box_.height() + 2 * margin;
+    const double slant = std::fmin(std::abs(along_.x()), std::abs(along_.y()));
+    const double parts = std::fmin(slant * box_.width() / (4 * wide), 32);
+    const int count = parts >= 2 ? static_cast<int>(parts) : 1;
+    for (int k = 0; k < count; ++k) {
+      const double from = box_.min.x() + box_.width() * k / count;
+      const double to = box_.min.x() + box_.width() * (k + 1) / count;
+      visit(Box::around({at(from, box_.min.y()), at(to, box_.min.y()), at(from, box_.max.y()),
+                         at(to, box_.max.y())}));
+    }
+  }
+
+ private:
+  Point seen(const Point& p) const {
+    const Point v{p.x() - origin_.x(), p.y() - origin_.y()};
+    return {v.dot(along_), cross(along_, v)};
+  }
+  Point at(double x, double y) const {
+    return advance(advance(origin_, x, along_), y, perpendicular(along_));
+  }
+
+  Point origin_;
+  Point along_{1, 0};
+  Box box_;  // as seen from the origin along the band
+};
+
+/// A string along a polyline that is pulled tight bend by bend and stays proved throughout.
+///
+/// Bends are pins (the path's own joints) and circles of the safety radius around obstacle vertices
+/// (around discs: larger ones). A bend that is not taut is taken out: the string between its
+/// neighbours A and C then runs straight, or around the circles that lie in the way.
+template <class S>
+class PulledString {
+ public:
+  PulledString(const S& space, const std::vector<Point>& nodes)
+      : space_(space),
+        slack_(space.slack()),
+        radius_(space.safety_radius() > 0 ? space.safety_radius() + 4 * slack_ : 0) {
+    bends_.reserve(2 * nodes.size());
+    for (const Point& p : nodes) {
+      if (!bends_.empty() && bends_.back().circle.center == p) continue;
+      const std::size_t i = bends_.size();
+      bends_.push_back({{p, 0, 1}, true, 0, {}, i == 0 ? none : i - 1, none});
+      if (i == 0) continue;
+      bends_[i - 1].next = i;
+      bends_[i - 1].out = *bitangent(bends_[i - 1].circle, bends_[i].circle);
+    }
+    last_ = bends_.size() - 1;
+  }
+
+  /// Pulls until every bend is taut or cannot be pulled in a proved way.
+  std::optional<PlanError> pull(const Budget& budget) {
+    for (std::size_t b = bends_[0].next; b != none && b != last_;) {
+      if (const auto exceeded = budget.exceeded()) return exceeded;
+      const std::optional<std::size_t> before = is_taut(b) ? std::nullopt : take_out(b);
+      b = !before ? bends_[b].next : *before == 0 ? bends_[0].next : *before;
+    }
+    return std::nullopt;
+  }
+
+  Curve curve() const {
+    Curve curve;
+    Point at = bends_[0].circle.center;
+    for (std::size_t i = 0; i != last_ && last_ != 0; i = bends_[i].next) {
+      const Bend& bend = bends_[i];
+      // Within the allowance of its construction a bend that hardly turns has no arc.
+      if (!bend.is_pin && distance(at, bend.out.from) > slack_) {
+        for_each_arc(bend.circle, at, bend.out.from, bend.turn,
+                     [&](const Arc& arc) { curve.push_back(arc); });
+        at = bend.out.from;
+      }
+      curve.push_back(Segment{at, bend.out.to});
+      at = bend.out.to;
+    }
+    if (curve.empty()) curve.push_back(Segment{at, at});
+    return curve;
+  }
+
+ private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  struct Bend {
+    SidedCircle circle;
+    bool is_pin;
+    double turn;    // around the circle, left positive; may exceed a full turn [rad]
+    Bitangent out;  // to the next bend
+    std::size_t previous, next;
+  };
+  /// The circles that take a bend's place, and the ways from A to the first ... and on to C.
+  struct Chain {
+    std::vector<SidedCircle> circles;
+    std::vector<Bitangent> ways;
+  };
+
+  const Bitangent& way_to(std::size_t i) const { return bends_[bends_[i].previous].out; }
+  int side_of_turn(std::size_t i) const {
+    const double turn =
+        bends_[i].is_pin ? cross(way_to(i).direction, bends_[i].out.direction) : bends_[i].turn;
+    return turn >= 0 ? 1 : -1;
+  }
+  bool is_taut(std::size_t i) const {
+    return !bends_[i].is_pin && bends_[i].turn * bends_[i].circle.side >= 0;
+  }
+  static bool is_same(const SidedCircle& a, const SidedCircle& b) {
+    return a.center == b.center && a.radius == b.radius;
+  }
+
+  /// The arcs around a circle between two touching points; none turns by more than half a circle.
+  template <class Visit>
+  static void for_each_arc(const SidedCircle& circle, const Point& in, const Point& out,
+                           double turn, Visit visit) {
+    const Point from = in - circle.center;
+    const double least = deflection(from, out - circle.center), full = 2 * std::numbers::pi;
+    const double sweep = least + full * std::round((turn - least) / full);
+    const int count = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 3.15)));
+    Point at = in;
+    for (int i = 0; i < count; ++i) {
+      const double start = heading(at - circle.center);
+      Arc arc = Arc::around(circle.center, circle.radius, start, sweep / count);
+      arc.a = at;
+      if (i + 1 == count) arc.b = out;
+      at = arc.b;
+      visit(arc);
+    }
+  }
+
+  /// Takes a bend out, if what replaces it is proved and no longer; with it the neighbours that the
+  /// string then lifts off. Returns the bend before what is new.
+  std::optional<std::size_t> take_out(std::size_t b) {
+    std::size_t a = bends_[b].previous, c = bends_[b].next;
+    if (bends_[a].is_pin && bends_[c].is_pin && is_same(bends_[a].circle, bends_[c].circle)) {
+      return close_spur(a, c);
+    }
+    const int side = side_of_turn(b);
+    find_obstacles(a, c, side);
+    for (int proofs = 0; proofs < 8;) {
+      if (!wrap(a, c, side)) break;
+      const bool lifts_a = !bends_[a].is_pin && bends_[a].circle.side * turn_after(a) < 0;
+      const bool lifts_c = !bends_[c].is_pin && bends_[c].circle.side * turn_before(c) < 0;
+      if (lifts_a || lifts_c) {
+        (lifts_a ? a : c) = lifts_a ? bends_[a].previous : bends_[c].next;
+        find_obstacles(a, c, side);
+        continue;
+      }
+      const std::size_t known = obstacles_.size();
+      if (is_proved(a, c, side)) return replace(a, c) ? std::optional(a) : std::nullopt;
+      if (obstacles_.size() == known) break;
+      ++proofs;
+    }
+    return std::nullopt;
+  }
+
+  /// A way out and back again between two pins in one place goes.
+  std::size_t close_spur(std::size_t a, std::size_t c) {
+    if (c != last_) {
+      bends_[a].out = bends_[c].out;
+      link(a, bends_[c].next);
+    } else if (a != 0) {
+      a = bends_[a].previous;
+      link(a, c);
+    } else {
+      last_ = 0;
+      bends_[0].next = none;
+    }
+    return a;
+  }
+  void link(std::size_t i, std::size_t j) { bends_[i].next = j, bends_[j].previous = i; }
+
+  /// Calls `visit(circle)` for the circles around the vertices and discs near a box.
+  template <class Visit>
+  void for_each_circle(const Box& box, int side, Visit visit) const {
+    space_.for_each_feature(box.inflated(radius_), [&](const Segment& core, double radius) {
+      const double grown = radius > 0 ? radius + space_.safety_radius() + 4 * slack_ : radius_;
+      visit(SidedCircle{core.a, grown, side});  // every vertex is the first end of an edge
+    });
+  }
+
+  /// Finds the circles that the string would cross on its way to the straight line between two
+  /// bends.
+  void find_obstacles(std::size_t a, std::size_t c, int side) {
+    const auto straight = bitangent(bends_[a].circle, bends_[c].circle);
+    swept_.clear();
+    for (std::size_t i = a; i != c; i = bends_[i].next) {
+      swept_.push_back(bends_[i].out.from);
+      swept_.push_back(bends_[i].out.to);
+    }
+    if (straight) swept_.insert(swept_.end(), {straight->to, straight->from});
+    obstacles_.clear();
+    const Band band(swept_, way_to(c).to);
+    band.for_each_box(radius_, [&](const Box& box) {
+      for_each_circle(box, side, [&](const SidedCircle& circle) {
+        if (band.is_far(circle)) return;
+        if (is_inside(swept_, circle.center) || (straight && bars(circle, *straight, side))) {
+          add_obstacle(circle, a, c);
+        }
+      });
+    });
+  }
+
+  /// Whether a circle comes into a straight way from the side that the string turns to.
+  bool bars(const SidedCircle& circle, const Bitangent& way, int side) const {
+    const double aside = cross(way.direction, circle.center - way.from);
+    return side * aside >= 0 &&
+           distance(circle.center, Segment{way.from, way.to}) < circle.radius - slack_;
+  }
+
+  /// Adds a circle that is new and none of the bends from a to c.
+  void add_obstacle(const SidedCircle& circle, std::size_t a, std::size_t c) {
+    for (std::size_t i = a; i != bends_[c].next; i = bends_[i].next) {
+      if (circle.center == bends_[i].circle.center) return;
+    }
+    const auto known = [&](const SidedCircle& other) { return is_same(circle, other); };
+    if (std::none_of(obstacles_.begin(), obstacles_.end(), known)) obstacles_.push_back(circle);
+  }
+
+  /// Whether a point lies strictly within a closed polyline, by the even-odd rule.
+  static bool is_inside(const std::vector<Point>& ring, const Point& p) {
+    bool inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+      const int turn = orientation(a, b, p);
+      if (turn == 0) return false;
+      if ((turn > 0) == (b.y() > a.y())) inside = !inside;
+    }
+    return inside;
+  }
+
+  /// Makes a chain from A to C around the obstacles: always on to the one that asks for the
+  /// smallest turn, and to the nearest of these.
+  bool wrap(std::size_t a, std::size_t c, int side) {
+    chain_.circles.clear();
+    chain_.ways.clear();
+    left_ = obstacles_;
+    SidedCircle from = bends_[a].circle;
+    Point direction = bends_[a].out.direction;
+    while (true) {
+      double least = std::numeric_limits<double>::infinity();
+      std::optional<Bitangent> best;
+      std::size_t chosen = left_.size();
+      for (std::size_t i = 0; i <= left_.size(); ++i) {
+        const auto way = bitangent(from, i < left_.size() ? left_[i] : bends_[c].circle);
+        if (!way) continue;
+        double turn = side * deflection(direction, way->direction);
+        if (turn < -1e-6) turn += 2 * std::numbers::pi;
+        if (turn < least - 1e-12 || (turn < least + 1e-12 && way->length < best->length)) {
+          least = turn, best = way, chosen = i;
+        }
+      }
+      if (!best) return false;
+      chain_.ways.push_back(*best);
+      direction = best->direction;
+      if (chosen == left_.size()) return true;
+      from = left_[chosen];
+      chain_.circles.push_back(from);
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(chosen));
+    }
+  }
+
+  /// What A and C turn with the chain between them.
+  double turn_after(std::size_t a) const {
+    return bends_[a].turn + deflection(bends_[a].out.direction, chain_.ways.front().direction);
+  }
+  double turn_before(std::size_t c) const {
+    return bends_[c].turn + deflection(chain_.ways.back().direction, way_to(c).direction);
+  }
+
+  /// Calls `visit(piece)` for all that the chain brings in: its ways and arcs, and the arcs around
+  /// A and C as they become where they grow.
+  template <class Visit>
+  void for_each_new_piece(std::size_t a, std::size_t c, Visit visit) const {
+    const auto arcs = [&](const SidedCircle& circle, const Point& in, const Point& out,
+                          double turn) {
+      if (distance(in, out) > slack_) for_each_arc(circle, in, out, turn, visit);
+    };
+    for (const Bitangent& way : chain_.ways) visit(Segment{way.from, way.to});
+    for (std::size_t i = 0; i < chain_.circles.size(); ++i) {
+      const Bitangent &in = chain_.ways[i], &out = chain_.ways[i + 1];
+      arcs(chain_.circles[i], in.to, out.from, deflection(in.direction, out.direction));
+    }
+    const auto grown = [&](std::size_t i, const Point& in, const Point& out, double turn) {
+      if (std::abs(turn) > std::abs(bends_[i].turn)) arcs(bends_[i].circle, in, out, turn);
+    };
+    if (!bends_[a].is_pin) grown(a, way_to(a).to, chain_.ways.front().from, turn_after(a));
+    if (!bends_[c].is_pin) grown(c, chain_.ways.back().to, bends_[c].out.from, turn_before(c));
+  }
+
+  /// Whether all new pieces are proved; circles that come into one that is not become obstacles.
+  bool is_proved(std::size_t a, std::size_t c, int side) {
+    bool proved = true;
+    for_each_new_piece(a, c, [&](const auto& piece) {
+      if (is_proved_free(space_, piece)) return;
+      proved = false;
+      for_each_circle(piece.box(), side, [&](const SidedCircle& circle) {
+        const Segment core{circle.center, circle.center};
+        if (approach(piece, core).distance < circle.radius - slack_) add_obstacle(circle, a, c);
+      });
+    });
+    return proved;
+  }
+
+  double length_around(std::size_t i, double turn) const {
+    return bends_[i].circle.radius * std::abs(turn);
+  }
+
+  /// Puts the chain in the place of all between two bends, unless that makes the string longer.
+  bool replace(std::size_t a, std::size_t c) {
+    const double turn_a = bends_[a].is_pin ? 0 : turn_after(a);
+    const double turn_c = bends_[c].is_pin ? 0 : turn_before(c);
+    double before = length_around(c, bends_[c].turn);
+    for (std::size_t i = a; i != c; i = bends_[i].next) {
+      before += length_around(i, bends_[i].turn) + bends_[i].out.length;
+    }
+    double after = length_around(a, turn_a) + length_around(c, turn_c);
+    for (const Bitangent& way : chain_.ways) after += way.length;
+    turns_.clear();
+    for (std::size_t i = 0; i < chain_.circles.size(); ++i) {
+      turns_.push_back(deflection(chain_.ways[i].direction, chain_.ways[i + 1].direction));
+      after += chain_.circles[i].radius * std::abs(turns_[i]);
+    }
+    // Each pull shortens the string or takes a bend out of it: it comes to an end.
+    const double least = 1e-12 * before;
+    if (!(after < before - least || (chain_.circles.empty() && after <= before + least))) {
+      return false;
+    }
+    bends_[a].turn = turn_a;
+    bends_[c].turn = turn_c;
+    bends_[a].out = chain_.ways[0];
+    for (std::size_t i = 0; i < chain_.circles.size(); ++i) {
+      bends_.push_back({chain_.circles[i], false, turns_[i], chain_.ways[i + 1], none, none});
+      link(a, bends_.size() - 1);
+      a = bends_.size() - 1;
+    }
+    link(a, c);
+    return true;
+  }
+
+  const S& space_;
+  double slack_;
+  double radius_;  // of the circles around vertices
+  std::vector<Bend> bends_;
+  std::size_t last_ = 0;
+  // Of the pull that is being made.
+  std::vector<Point> swept_;
+  std::vector<SidedCircle> obstacles_, left_;
+  Chain chain_;
+  std::vector<double> turns_;
+};
+
+}  // namespace detail
+
+/// The shortest curve of all that a path can be pulled into without crossing an obstacle (its
+/// homotopy class): straight pieces that touch circles of the safety radius around obstacle
+/// vertices, and arcs of these circles; discs have circles around them, too. So the curve has no
+/// corners, but at safety radius 0, where it bends at vertices.
+///
+/// Pulls one bend of the string after another and proves what takes its place; a pull that cannot
+/// be proved is not made. So the string is in free space all the time, never longer than its input,
+/// and when the deadline passes it is returned as far as it is pulled. Every circle keeps
+/// a few rounding errors more than the safety radius, which is what its length exceeds the shortest
+/// by. Shorter ways on the other side of an obstacle are not looked for. For n bends and k vertices
+/// next to each, O(n (log m + k)) for m obstacle edges, times the number of pulls per bend, which
+/// is about 2 on routes of grid searches.
+struct TautString {
+  static constexpr std::string_view name = "taut_string";
+
+  /// Errors: `invalid_input` for a curve that is no polyline or not free, `cancelled`.
+  template <FeatureSpace S>
+  Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
+    const auto nodes = free_polyline(space, input, budget, "the taut string");
+    if (!nodes) return Unexpected{nodes.error()};
+    if (nodes->empty()) return input;
+    detail::PulledString<S> string(space, *nodes);
+    if (string.pull(budget) == PlanError::cancelled) {
+      return fail(PlanError::cancelled, "while pulling a string");
+    }
+    return string.curve();
+  }
+};
+
+}  // namespace tutavia

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/world/workspace.hpp"
+
+/// \file
+/// Whether two curves pass the obstacles on the same sides.
+
+namespace tutavia::test {
+
+/// Points along a curve, 32 on each curved piece.
+inline std::vector<Point> outline(const Curve& curve) {
+  std::vector<Point> points{curve.start()};
+  for (const Piece& piece : curve.pieces()) {
+    const int steps = std::holds_alternative<Segment>(piece) ? 1 : 32;
+    for (int i = 1; i <= steps; ++i) {
+      points.push_back(
+          std::visit([&](const auto& p) -> Point { return p.point(double(i) / steps); }, piece));
+    }
+  }
+  return points;
+}
+
+/// How often a closed polyline goes round a point.
+inline long winding(const std::vector<Point>& loop, const Point& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point a = loop[i] - p, b = loop[(i + 1) % loop.size()] - p;
+    sum += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  }
+  return std::lround(sum / (2 * std::numbers::pi));
+}
+
+/// Whether the loop of one curve and the other one backwards goes round no obstacle. (What two
+/// curves of one homotopy class always fulfil.)
+inline bool winds_around_nothing(const Workspace& world, const Curve& a, const Curve& b) {
+  std::vector<Point> loop = outline(a), back = outline(b);
+  loop.insert(loop.end(), back.rbegin(), back.rend());
+  return std::all_of(world.obstacles.begin(), world.obstacles.end(), [&](const Obstacle& obstacle) {
+    const Disc* disc = std::get_if<Disc>(&obstacle);
+    const Point p = disc != nullptr ? disc->center : std::get<Polygon>(obstacle).outer.front();
+    return winding(loop, p) == 0;
+  });
+}
+
+}  // namespace tutavia::test
