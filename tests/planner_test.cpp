@@ -6,6 +6,10 @@
 #include "tutavia/pull/shortcut.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/dijkstra.hpp"
+#include "tutavia/search/jps.hpp"
+#include "tutavia/search/theta_star.hpp"
+#include "tutavia/smooth/b_spline_smoother.hpp"
+#include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 
 namespace {
@@ -130,6 +134,46 @@ TEST_CASE("a start exactly at the safety radius is planned and proved") {
   REQUIRE(plan);
   CHECK(plan->certificate.status == ProofStatus::proved);
   CHECK(plan->certificate.lower == 0.25);
+}
+
+/// Plans every built-in task; the number of plans, all of them proved and smoothed.
+template <class Search, class Smooth>
+std::size_t plan_built_in_maps(const Search& search, const Smooth& smoother) {
+  std::size_t plans = 0;
+  Planner planner{search, smoother};
+  for (const Scene& scene : {maps::array(), maps::complex(), maps::maze()}) {
+    const auto space =
+        LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}).value();
+    for (const Point& goal : scene.goals) {
+      INFO(Search::name << " and " << Smooth::name << " on " << scene.name << " to "
+                        << goal.transpose());
+      const auto plan = planner.plan(space, {.start = scene.start, .goal = goal});
+      REQUIRE(plan);
+      ++plans;
+      CHECK(plan->certificate.status == ProofStatus::proved);
+      CHECK(plan->certificate.lower >= scene.workspace.safety_radius);
+      CHECK_FALSE(plan->fell_back);
+      CHECK(plan->curve.start() == scene.start);
+      CHECK(plan->curve.end() == goal);
+      CHECK(plan->curve.length() <= plan->route.curve.length());
+      CHECK(test::sampled_clearance(scene.workspace, plan->curve) >=
+            scene.workspace.safety_radius - 1e-12);
+    }
+  }
+  return plans;
+}
+
+template <class Search>
+std::size_t plan_with_all_smoothers(const Search& search) {
+  return plan_built_in_maps(search, DeltaSmoother{}) +
+         plan_built_in_maps(search, BezierSmoother{}) +
+         plan_built_in_maps(search, BSplineSmoother{});
+}
+
+TEST_CASE("three searches and three smoothers plan all built-in tasks, 108 proved paths") {
+  CHECK(plan_with_all_smoothers(AStar{}) + plan_with_all_smoothers(Jps{}) +
+            plan_with_all_smoothers(ThetaStar{}) ==
+        108);
 }
 
 }  // namespace

@@ -3,11 +3,14 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "tutavia/pull/redundant_node_removal.hpp"
 #include "tutavia/pull/shortcut.hpp"
 #include "tutavia/pull/string_pull.hpp"
+#include "tutavia/pull/taut_string.hpp"
 #include "tutavia/search/any_angle.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/bidirectional_astar.hpp"
@@ -20,10 +23,13 @@
 #include "tutavia/search/penalty_astar.hpp"
 #include "tutavia/search/theta_star.hpp"
 #include "tutavia/search/weighted_astar.hpp"
+#include "tutavia/smooth/b_spline_smoother.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "tutavia/smooth/no_smoothing.hpp"
+#include "tutavia/smooth/smoothing_spline.hpp"
+#include "tutavia/smooth/two_stage_b_spline.hpp"
 
 /// \file
 /// The algorithms by name, for tools that choose at run time.
@@ -47,7 +53,7 @@ struct AnySearch {
 /// Any smoother on spaces of type S.
 template <class S>
 struct AnySmoother {
-  std::string_view name{};
+  std::string name{};
   std::function<Expected<Curve, Failure>(const S&, const Curve&, const Budget&)> run{};
 
   Expected<Curve, Failure> smooth(const S& space, const Curve& curve, const Budget& budget) const {
@@ -66,8 +72,19 @@ AnySearch<S> erase_search(const A& algorithm) {
 
 template <class S, Smoother<S> A>
 AnySmoother<S> erase_smoother(const A& algorithm) {
-  return {A::name, [algorithm](const S& space, const Curve& curve, const Budget& budget) {
+  return {std::string(A::name),
+          [algorithm](const S& space, const Curve& curve, const Budget& budget) {
             return algorithm.smooth(space, curve, budget);
+          }};
+}
+
+/// Two smoothers one after the other, named "first+second"; see Pipeline.
+template <class S>
+AnySmoother<S> chain(const AnySmoother<S>& first, const AnySmoother<S>& second) {
+  return {first.name + "+" + second.name,
+          [first, second](const S& space, const Curve& curve, const Budget& budget) {
+            auto result = first.smooth(space, curve, budget);
+            return result ? second.smooth(space, *result, budget) : result;
           }};
 }
 
@@ -109,9 +126,15 @@ std::vector<AnySearch<S>> all_searches() {
 /// Every smoother of the library that works on S, with default options.
 template <class S>
 std::vector<AnySmoother<S>> all_smoothers() {
-  std::vector<AnySmoother<S>> all{erase_smoother<S>(NoSmoothing{}), erase_smoother<S>(Shortcut{}),
+  std::vector<AnySmoother<S>> all{erase_smoother<S>(NoSmoothing{}),
+                                  erase_smoother<S>(Shortcut{}),
+                                  erase_smoother<S>(RedundantNodeRemoval{}),
                                   erase_smoother<S>(DeltaSmoother{}),
-                                  erase_smoother<S>(BezierSmoother{})};
+                                  erase_smoother<S>(BezierSmoother{}),
+                                  erase_smoother<S>(BSplineSmoother{}),
+                                  erase_smoother<S>(SmoothingSpline{}),
+                                  erase_smoother<S>(TwoStageBSpline{}),
+                                  erase_smoother<S>(TautString{})};
   if constexpr (Smoother<StringPull, S>) all.push_back(erase_smoother<S>(StringPull{}));
   return all;
 }

@@ -11,8 +11,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "support/catch.hpp"
 
@@ -75,6 +79,34 @@ std::size_t lines(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
+/// The columns of the comparison of smoothers, after the name.
+enum Column : std::size_t {
+  planned,
+  length_m,
+  over_taut,
+  max_curvature,
+  angle,
+  joint,
+  min_clearance,
+  mean_clearance,
+  micros,
+  proofs
+};
+
+/// The rows of the comparison of smoothers, which is the last table: the figures by the name.
+std::map<std::string, std::vector<std::string>> comparison_rows(const std::string& out) {
+  std::map<std::string, std::vector<std::string>> rows;
+  std::istringstream table(out.substr(std::min(out.find("\nsmoother "), out.size() - 1) + 1));
+  std::string line;
+  for (std::getline(table, line); std::getline(table, line) && !line.empty();) {
+    std::istringstream fields(line);
+    std::string name, field;
+    fields >> name;
+    while (fields >> field) rows[name].push_back(field);
+  }
+  return rows;
+}
+
 TEST_CASE("without options tutavia-plan plans the maze and writes maze.svg") {
   const Folder folder;
   const Outcome outcome = folder.run("");
@@ -114,11 +146,107 @@ TEST_CASE("lists of algorithms run in every combination, comparison runs them al
   const Outcome names = folder.run("--list");
   CHECK(names.code == 0);
   CHECK(contains(names.out, "search: dijkstra astar"));
-  CHECK(contains(names.out, "smoother: none shortcut delta"));
+  CHECK(contains(names.out, "smoother: none shortcut "));
+  CHECK(contains(names.out, " delta bezier "));
   const Outcome comparison = folder.run("--compare --map array");
   CHECK(comparison.code == 0);
   CHECK(contains(comparison.out, "all searches, smoother delta"));
   CHECK(contains(comparison.out, "all smoothers, search astar"));
+}
+
+TEST_CASE("A+B names a pipeline, whose first smoother is followed by the next") {
+  const Folder folder;
+  const Outcome outcome = folder.run(
+      "--goal 14,6 --json r.json"
+      " --smoother none,taut_string,none+taut_string,redundant_node_removal+taut_string+none");
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "search astar, smoother none+taut_string;"));
+  const auto results = nlohmann::json::parse(read(folder / "r.json"))["results"];
+  REQUIRE(results.size() == 4);
+  CHECK(results[2]["smoother"] == "none+taut_string");
+  CHECK(results[3]["smoother"] == "redundant_node_removal+taut_string+none");
+  CHECK(results[2]["curve"] == results[1]["curve"]);
+  CHECK(results[3]["curve"] != results[0]["curve"]);
+  for (const auto& result : results) CHECK(result["fell_back"] == false);
+
+  // The other way round the string is asked to pull a curve, which it refuses.
+  const Outcome refused = folder.run("--goal 14,6 --smoother bezier+taut_string");
+  CHECK(refused.code == 0);
+  CHECK(contains(refused.out, "fell back to the route"));
+
+  CHECK(contains(folder.run("--list").out, "A+B"));
+  CHECK(contains(folder.run("--help").out, "A+B"));
+}
+
+TEST_CASE("--compare sets all smoothers against the taut strings of the same routes") {
+  const Folder folder;
+  for (const std::string map : {"array", "complex", "maze"}) {
+    const Outcome outcome = folder.run("--compare --json r.json --svg p.svg --map " + map);
+    REQUIRE(outcome.code == 0);
+    CHECK(contains(read(folder / "p.svg"), "</svg>"));
+    const auto rows = comparison_rows(outcome.out);
+    REQUIRE(rows.size() >= 9);
+    for (const auto& [smoother, figures] : rows) {
+      INFO(map << ", " << smoother);
+      REQUIRE(figures.size() >= 10);
+      CHECK(figures[planned] == "4/4");
+      CHECK(std::stod(figures[over_taut]) >= 0.999);
+      CHECK(std::stod(figures[min_clearance]) >= 0.3);
+      CHECK(std::stod(figures[mean_clearance]) > std::stod(figures[min_clearance]));
+      CHECK(std::stoul(figures[proofs]) > 0);
+    }
+    CHECK(rows.at("taut_string")[over_taut] == "1.0000");
+    CHECK(std::stod(rows.at("none")[over_taut]) > 1.01);
+    CHECK(rows.at("none")[max_curvature] == "0.0000");
+    CHECK(std::stod(rows.at("none")[joint]) >= 45);
+    CHECK(rows.at("taut_string")[max_curvature] == "3.3333");  // one over the safety radius
+    CHECK(rows.at("taut_string")[joint] == "0.00");
+    CHECK(std::stod(rows.at("taut_string")[micros]) > 0);
+
+    // The results of the smoothers come last in the file, goal by goal.
+    const auto results = nlohmann::json::parse(read(folder / "r.json"))["results"];
+    const std::size_t first = results.size() - 4 * rows.size();
+    for (std::size_t i = first; i < results.size(); i += 4) {
+      const auto& figures = rows.at(results[i]["smoother"].get<std::string>());
+      double length = 0, curvature = 0, deflection = 0, mean = 0;
+      for (std::size_t goal = 0; goal < 4; ++goal) {
+        const auto& result = results[i + goal];
+        const auto& metrics = result["metrics"];
+        CHECK(result["search"] == "astar");
+        CHECK(result["route"] == results[first + goal]["route"]);
+        length += metrics["length"].get<double>();
+        curvature = std::max(curvature, metrics["max_curvature"].get<double>());
+        deflection = std::max(deflection, metrics["max_joint_deflection"].get<double>());
+        mean += metrics["mean_clearance"].get<double>() / 4;
+      }
+      CHECK(std::stod(figures[length_m]) == Approx(length).margin(1e-4));
+      CHECK(std::stod(figures[max_curvature]) == Approx(curvature).margin(1e-4));
+      CHECK(std::stod(figures[joint]) == Approx(deflection * 180 / std::numbers::pi).margin(0.01));
+      CHECK(std::stod(figures[mean_clearance]) == Approx(mean).margin(1e-4));
+    }
+  }
+}
+
+TEST_CASE("--compare shows what falls back, what has no plan and the pipeline asked for") {
+  const Folder folder;
+  const Outcome pipeline = folder.run("--compare --smoother bezier+taut_string");
+  CHECK(pipeline.code == 0);
+  const auto rows = comparison_rows(pipeline.out);
+  REQUIRE(rows.count("bezier+taut_string") == 1);
+  CHECK(rows.at("bezier+taut_string")[length_m] == rows.at("none")[length_m]);
+  CHECK(contains(pipeline.out, "(4 fell back to the route)"));
+
+  const Outcome partly = folder.run("--compare --goal 14,6 --goal 9,3");
+  CHECK(partly.code == 1);
+  CHECK(comparison_rows(partly.out).at("taut_string")[planned] == "1/2");
+  CHECK(comparison_rows(partly.out).at("taut_string")[over_taut] == "1.0000");
+  const Outcome none = folder.run("--compare --goal 9,3");
+  CHECK(none.code == 1);
+  CHECK(comparison_rows(none.out).at("delta") == std::vector<std::string>{"0/1"});
+  const Outcome nowhere = folder.run("--compare --goal 2,1");  // the start
+  CHECK(nowhere.code == 0);
+  CHECK(comparison_rows(nowhere.out).at("delta")[over_taut] == "1.0000");
+  CHECK_FALSE(contains(nowhere.out, "nan"));
 }
 
 TEST_CASE("a goal without a plan gives exit code 1 and stands in the table and the JSON") {
@@ -173,6 +301,12 @@ TEST_CASE("bad usage and bad input give exit code 2 and one line that says what 
            Case{"--map castle", "unknown map \"castle\""},
            Case{"--search dstar", "unknown name \"dstar\""},
            Case{"--smoother delta,silk", "unknown name \"silk\""},
+           Case{"--smoother taut_string+silk", "unknown name \"silk\"; known: none shortcut"},
+           Case{"--smoother none,silk+bezier", "unknown name \"silk\""},
+           Case{"--smoother taut_string+", "unknown name \"\""},
+           Case{"--smoother +bezier", "unknown name \"\""},
+           Case{"--smoother none++bezier", "unknown name \"\""},
+           Case{"--search astar+jps", "unknown name \"astar+jps\""},
            Case{"--smoother ''", "unknown name \"\""},
            Case{"--colour red", "--colour"},
            Case{"--map maze --workspace no_goal.json", "--map"},

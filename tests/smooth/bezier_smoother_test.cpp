@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <variant>
 
+#include "support/random_tasks.hpp"
 #include "support/smoother_contract.hpp"
 
 namespace {
@@ -24,20 +24,6 @@ InflatedSpace space_with(std::vector<Obstacle> obstacles) {
       .value();
 }
 
-/// The largest turn where two pieces meet.
-double largest_joint(const Curve& curve) {
-  double largest = 0;
-  for (std::size_t i = 0; i + 1 < curve.pieces().size(); ++i) {
-    const auto direction = [&](std::size_t piece, double t) {
-      return std::visit([&](const auto& p) { return Point(p.derivative(t)); },
-                        curve.pieces()[piece]);
-    };
-    const Point in = direction(i, 1), out = direction(i + 1, 0);
-    largest = std::fmax(largest, std::abs(std::atan2(cross(in, out), in.dot(out))));
-  }
-  return largest;
-}
-
 TEST_CASE("a free corner becomes one piece that takes its trim of both legs") {
   const auto space = space_with({});
   const Point right_angle[] = {{0, 0}, {4, 0}, {4, 3}};
@@ -49,7 +35,7 @@ TEST_CASE("a free corner becomes one piece that takes its trim of both legs") {
   CHECK(piece.points[1].isApprox(Point(3 + 2.0 / 3, 0)));
   CHECK(piece.points[2].isApprox(Point(4, 1.0 / 3)));
   CHECK(piece.points[3].isApprox(Point(4, 1)));
-  CHECK(largest_joint(curve) < 1e-12);
+  CHECK(test::largest_corner(curve) < 1e-12);
   CHECK(curve.length() < 7);
 
   // Half of a leg at most; where two corners share one, nothing is left of it.
@@ -59,7 +45,7 @@ TEST_CASE("a free corner becomes one piece that takes its trim of both legs") {
   REQUIRE(whole.pieces().size() == 4);
   CHECK(std::holds_alternative<CubicBezier>(whole.pieces()[1]));
   CHECK(std::holds_alternative<CubicBezier>(whole.pieces()[2]));
-  CHECK(largest_joint(whole) < 1e-12);
+  CHECK(test::largest_corner(whole) < 1e-12);
 }
 
 TEST_CASE("near an obstacle a corner takes less, and stays where nothing fits") {
@@ -91,10 +77,30 @@ TEST_CASE("straight joints and reversals stay, bad options are refused") {
         BezierSmoother{.fullness = 0}, BezierSmoother{.fullness = 1.1}}) {
     CHECK(bad.smooth(space, input, {}).error().code == PlanError::invalid_option);
   }
-  Curve bent;
-  bent.push_back(QuadraticBezier{{Point(0, 0), Point(1, 1), Point(2, 0)}});
-  CHECK(BezierSmoother{}.smooth(space, bent, {}).error().code == PlanError::invalid_input);
   CHECK(BezierSmoother{}.smooth(space, Curve{}, {}).value().empty());
+  const auto blocked = space_with({Disc{{2, 0.2}, 0}});
+  const auto refused = BezierSmoother{}.smooth(blocked, input, {});
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code == PlanError::invalid_input);
+  CHECK(refused.error().detail.find("segment 1 ") == 0);
+}
+
+TEST_CASE("corners between curved pieces are rounded as well") {
+  const auto space = space_with({});
+  Curve input;
+  input.push_back(Segment{{-4, 0}, {0, 0}});
+  input.push_back(QuadraticBezier{{Point(0, 0), Point(1, 1), Point(2, 0)}});
+  input.push_back(Arc::around({2, 1}, 1, -std::numbers::pi / 2, 2));
+  input.push_back(CubicBezier{{input.end(), Point(0, 3), Point(-1, 4), Point(-3, 3)}});
+  REQUIRE(test::largest_corner(input) > 0.5);
+  for (const double trim : {0.1, 1.0, 50.0}) {
+    const auto curve = BezierSmoother{.trim = trim}.smooth(space, input, {}).value();
+    CHECK(test::largest_corner(curve) < 1e-9);
+    CHECK(curve.start() == input.start());
+    CHECK(curve.end() == input.end());
+    CHECK(curve.length() < input.length());
+    CHECK(curve.length() > 0.7 * input.length());
+  }
 }
 
 }  // namespace

@@ -3,13 +3,17 @@
 
 #include <limits>
 
+#include "support/random_tasks.hpp"
 #include "support/smoother_contract.hpp"
 
 namespace {
 
 using namespace tutavia;
 
-TEST_CASE("DeltaSmoother keeps the smoother contract") { test::smoother_contract(DeltaSmoother{}); }
+TEST_CASE("DeltaSmoother keeps the smoother contract") {
+  test::smoother_contract(DeltaSmoother{});
+  test::smoother_contract(DeltaSmoother{.join = DeltaSmoother::Join::tangent});
+}
 
 /// A post at the origin; the safety zone reaches 0.5 from it.
 InflatedSpace post() {
@@ -81,6 +85,25 @@ TEST_CASE("every path of the built-in maps becomes shorter") {
       REQUIRE(route);
       const auto smooth = DeltaSmoother{}.smooth(space, route->curve, Budget{}).value();
       CHECK(smooth.length() < 0.99 * route->curve.length());
+      CHECK(certify(space, smooth).status == ProofStatus::proved);
+    }
+  }
+}
+
+TEST_CASE("with tangent joins lines and arcs meet in one direction, as the paper's do not") {
+  const DeltaSmoother tangent{.join = DeltaSmoother::Join::tangent};
+  for (const Scene& scene : {maps::array(), maps::complex(), maps::maze()}) {
+    const auto space =
+        LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}).value();
+    for (const Point& goal : scene.goals) {
+      INFO(scene.name << " to " << goal.transpose());
+      const auto route = test::search_once(AStar{}, space, {.start = scene.start, .goal = goal});
+      REQUIRE(route);
+      const Curve paper = DeltaSmoother{}.smooth(space, route->curve, {}).value();
+      const Curve smooth = tangent.smooth(space, route->curve, {}).value();
+      CHECK(test::largest_corner(paper) > 0.1);
+      CHECK(test::largest_corner(smooth) < 1e-6);
+      CHECK(smooth.length() <= paper.length());
       CHECK(certify(space, smooth).status == ProofStatus::proved);
     }
   }

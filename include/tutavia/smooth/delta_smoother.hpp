@@ -6,15 +6,18 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "tutavia/certify/piece_proof.hpp"
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/error.hpp"
+#include "tutavia/pull/farthest_in_sight.hpp"
 #include "tutavia/pull/grid_nodes.hpp"
+#include "tutavia/pull/route_check.hpp"
 #include "tutavia/pull/shortcut.hpp"
+#include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/critical_corners.hpp"
 
 /// \file
@@ -32,12 +35,20 @@ namespace tutavia {
 ///
 /// Guarantees: the ends are exact, every line and arc is proved at the space's safety radius, and
 /// the result is never longer than its input (else the input's shortcuts are returned). Arcs are
-/// smooth inside; where they meet lines there may be corners, as in the paper.
+/// smooth inside; where they meet lines there may be corners, as in the paper, or with
+/// `Join::tangent` none but those that cannot be rounded in free space (see BezierSmoother).
+/// O(n log n) lines of sight for n nodes.
 ///
 /// Source: Abdulshaheed 2025, "A Delta-Smoothed Path Algorithm". The paper's names are given with
 /// the fields; the resolution of what it leaves open is in docs/algorithms.md.
 struct DeltaSmoother {
   static constexpr std::string_view name = "delta";
+
+  /// How lines and arcs meet.
+  enum class Join {
+    paper,    ///< as it happens: the direction may jump
+    tangent,  ///< in one direction: joints are rounded by cubic pieces
+  };
 
   double corner_threshold = 0.3;     ///< cornerThresh [m]
   double arc_initial_offset = 0.12;  ///< arcInitOffset [m]: the first push, after none at all
@@ -45,18 +56,35 @@ struct DeltaSmoother {
   double arc_growth_step = 0.12;     ///< arcGrowStep [m]
   /// Corners that turn less are not corners, but facets of something round [rad].
   double min_exterior_angle = 20 * std::numbers::pi / 180;
+  Join join = Join::paper;
 
   /// Errors: `invalid_option` for one that is negative or not a number (the growth step must be
-  /// positive), `invalid_input` for a curve that is no polyline, what the budget says.
+  /// positive), `invalid_input` for a curve that is no polyline or not free, what the budget says.
   template <CornerSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
-    for (const Piece& piece : input.pieces()) {
-      if (!std::holds_alternative<Segment>(piece)) {
-        return fail(PlanError::invalid_input, "the delta smoother takes polylines only");
-      }
+    if (const auto free = free_polyline(space, input, budget, "the delta smoother"); !free) {
+      return Unexpected{free.error()};
     }
-    const std::vector<Point> nodes = joints(split_at_nodes(space, input));
+    auto result = lines_and_arcs(space, joints(split_at_nodes(space, input)), budget);
+    if (result && result->length() > input.length()) {
+      result = Shortcut{}.smooth(space, input, budget);
+    }
+    if (!result || join == Join::paper) return result;
+    return BezierSmoother{}.smooth(space, *result, budget);
+  }
+
+ private:
+  /// A path node at which an arc has to be tried, and the corner that asks for it.
+  struct Trigger {
+    std::size_t node;
+    Point corner;
+    double distance;  // between the node and the corner's zone or disc
+  };
+
+  template <class S>
+  Expected<Curve, Failure> lines_and_arcs(const S& space, const std::vector<Point>& nodes,
+                                          const Budget& budget) const {
     const std::vector<Trigger> triggers = find_triggers(space, nodes);
     Curve result;
     auto next = triggers.begin();
@@ -74,17 +102,8 @@ struct DeltaSmoother {
         i = j;
       }
     }
-    if (result.length() > input.length()) return Shortcut{}.smooth(space, input, budget);
     return result;
   }
-
- private:
-  /// A path node at which an arc has to be tried, and the corner that asks for it.
-  struct Trigger {
-    std::size_t node;
-    Point corner;
-    double distance;  // between the node and the corner's zone or disc
-  };
 
   const char* invalid_option() const {
     if (!(corner_threshold >= 0)) return "corner_threshold must not be negative";
@@ -105,14 +124,14 @@ struct DeltaSmoother {
   template <class S>
   std::vector<Trigger> find_triggers(const S& space, const std::vector<Point>& nodes) const {
     std::vector<Trigger> triggers;
+    std::vector<std::size_t> by_x(nodes.size());
+    std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+    std::sort(by_x.begin(), by_x.end(), [&](std::size_t i, std::size_t j) {
+      return nodes[i].x() != nodes[j].x() ? nodes[i].x() < nodes[j].x() : i < j;
+    });
     for (const Corner& corner :
          critical_corners(space, nodes, corner_threshold, min_exterior_angle)) {
-      Trigger best{0, corner.position, std::numeric_limits<double>::infinity()};
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const double distance = (nodes[i] - corner.position).norm() - corner.radius;
-        if (distance < best.distance) best.node = i, best.distance = distance;
-      }
-      triggers.push_back(best);
+      triggers.push_back(trigger_of(corner, nodes, by_x));
     }
     std::stable_sort(triggers.begin(), triggers.end(), [](const Trigger& a, const Trigger& b) {
       return a.node != b.node ? a.node < b.node : a.distance < b.distance;
@@ -122,20 +141,39 @@ struct DeltaSmoother {
     return triggers;
   }
 
+  /// The first of the nodes that are nearest to a corner; they are looked at outwards from the
+  /// corner's x. \pre there are nodes
+  static Trigger trigger_of(const Corner& corner, const std::vector<Point>& nodes,
+                            const std::vector<std::size_t>& by_x) {
+    Trigger best{0, corner.position, std::numeric_limits<double>::infinity()};
+    double least = best.distance;  // from the corner's position
+    const auto look_at = [&](std::size_t i) {
+      const double aside = std::abs(nodes[i].x() - corner.position.x());
+      if (aside > least) return false;
+      const double d = distance(nodes[i], corner.position);
+      if (d < least || (d == least && i < best.node)) best.node = i, least = d;
+      return true;
+    };
+    const auto from = std::lower_bound(by_x.begin(), by_x.end(), corner.position.x(),
+                                       [&](std::size_t i, double x) { return nodes[i].x() < x; });
+    for (auto i = from; i != by_x.end() && look_at(*i);) ++i;
+    for (auto i = from; i != by_x.begin() && look_at(*(i - 1));) --i;
+    best.distance = least - corner.radius;
+    return best;
+  }
+
   /// The node to go to straight from i: one before the last in sight, no later than `barrier`.
   template <class S>
   static std::size_t prudent_shortcut(const S& space, const std::vector<Point>& nodes,
                                       std::size_t i, std::size_t barrier) {
     const auto sees = [&](std::size_t j) { return space.segment_free(nodes[i], nodes[j]); };
     const std::size_t end = nodes.size() - 1;
-    std::size_t last = end;
-    while (last > i + 1 && !sees(last)) --last;
-    std::size_t target = std::clamp(last == end ? end : last - 1, i + 1, barrier);
+    const std::size_t last = farthest_looking_ahead(i, end, sees);
+    const std::size_t target = std::clamp(last == end ? end : last - 1, i + 1, barrier);
     if (target == last || target == i + 1) return target;
     if (sees(target)) return target;
     if (last <= barrier) return last;  // it is in sight, its predecessor is not
-    while (target > i + 1 && !sees(target)) --target;
-    return target;
+    return farthest_looking_ahead(i, target, sees);
   }
 
   /// Replaces the two steps around a trigger by one arc, if any offset gives a proved one.

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/pull/redundant_node_removal.hpp"
+#include "tutavia/smooth/corner_spline.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// BSplineSmoother: a pruned polyline as a cubic B-spline.
+
+namespace tutavia {
+
+/// Drops redundant nodes and runs a clamped uniform cubic B-spline along what is left. Helper
+/// control points on the legs keep straight parts straight and corners as tight as they have to be.
+///
+/// A piece that cannot be proved draws its corners tighter, by halves; after six of them a corner
+/// stays as it is. Curvature is continuous but at such corners, where the rest is straight.
+/// Guarantees: the ends are exact, every piece is proved at the space's safety radius, the result
+/// is never longer than its input.
+///
+/// Source: the improved RRT* of MM Science Journal, October 2023 (RRTS), equation (1); what it
+/// leaves open is decided in docs/algorithms.md.
+struct BSplineSmoother {
+  static constexpr std::string_view name = "b_spline";
+
+  /// How far from a corner its helpers lie, at most a third of the leg; in spacings of the space's
+  /// grid, in metres where it has none.
+  double reach = 3;
+
+  /// Errors: `invalid_option` for a reach that is not positive, `invalid_input` for a curve that is
+  /// no polyline or not free, what the budget says.
+  template <ClearanceSpace S>
+  Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
+    if (!(reach > 0)) return fail(PlanError::invalid_option, "reach must be positive");
+    const auto pruned = RedundantNodeRemoval{}.smooth(space, input, budget);
+    if (!pruned || pruned->empty()) return pruned;
+    double metres = reach;
+    if constexpr (LinkedSpace<S>) metres *= space.frame().resolution;
+    return CornerSpline(joints(*pruned), metres).prove(space, budget);
+  }
+};
+
+}  // namespace tutavia

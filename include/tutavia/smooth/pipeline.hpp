@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/smooth/concepts.hpp"
+
+/// \file
+/// Pipeline: smoothers one after another.
+
+namespace tutavia {
+
+/// Smoothers in a row, each of which gets what the one before made:
+///
+///     Planner planner{ThetaStar{}, Pipeline{TautString{}, BezierSmoother{.trim = 0.2}}};
+///
+/// Fails as soon as one of them does; those that take polylines only come first. The result keeps
+/// every bound that the last one keeps; its length is bounded by the product of all bounds.
+template <class... Stages>
+class Pipeline {
+  static_assert(sizeof...(Stages) > 0);
+
+ public:
+  Pipeline() = default;
+  explicit Pipeline(Stages... stages) : stages_(std::move(stages)...) {}
+
+  template <class S>
+  requires(Smoother<Stages, S>&&...) Expected<Curve, Failure> smooth(const S& space,
+                                                                     const Curve& input,
+                                                                     const Budget& budget) const {
+    Expected<Curve, Failure> result = input;
+    const auto run = [&](const auto& stage) {
+      result = stage.smooth(space, *result, budget);
+      return result.has_value();
+    };
+    std::apply([&](const auto&... stages) { static_cast<void>((run(stages) && ...)); }, stages_);
+    return result;
+  }
+
+ private:
+  /// The names of all stages with a plus between them.
+  static constexpr auto joined_names() {
+    std::array<char, (std::string_view(Stages::name).size() + ...) + sizeof...(Stages) - 1> text{};
+    auto at = text.begin();
+    const auto append = [&](std::string_view stage) {
+      if (at != text.begin()) *at++ = '+';
+      at = std::copy(stage.begin(), stage.end(), at);
+    };
+    (append(Stages::name), ...);
+    return text;
+  }
+  static constexpr auto characters_ = joined_names();
+
+  std::tuple<Stages...> stages_;
+
+ public:
+  static constexpr std::string_view name{characters_.data(), characters_.size()};
+};
+
+}  // namespace tutavia

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/pull/route_check.hpp"
+#include "tutavia/smooth/corner_spline.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// TwoStageBSpline: a grid path's nodes moved off corners and obstacles, and a B-spline along them.
+
+namespace tutavia {
+
+/// Takes all nodes of a grid path for control points, moves them and runs a cubic B-spline along
+/// them.
+///
+/// Stage 1, corner avoidance: a diagonal step beside a blocked cell goes through the free cell on
+/// its other side. Stage 2, obstacle avoidance: a node with blocked cells nearer than d0 moves away
+/// from them by the mean of f(d) = 1 / (a + b e^(c d)) over their distances d. Distances are
+/// between a node and centres of cells, in cells. A move that would leave free space is halved up
+/// to five times, then not made. Where the spline cannot be proved, legs get further control points
+/// until it can (see CornerSpline).
+///
+/// Guarantees: the ends are exact and every piece is proved at the space's safety radius. A pass
+/// moves each node by at most 1 / (a + b) cells and so lengthens each leg by at most twice that:
+/// the result may be longer than its input by no more.
+///
+/// Source: the SSA-A* paper, sections 11.2 and 11.3 of docs/algorithms.md, equations (10) to (20);
+/// it gives no values for a, b, c and d0.
+struct TwoStageBSpline {
+  static constexpr std::string_view name = "two_stage_b_spline";
+
+  double a = 0.5;
+  double b = 0.5;
+  double c = 1;    ///< per cell
+  double d0 = 2;   ///< blocked cells farther away do not count [cells]; at most 100
+  int passes = 1;  ///< of stage 2
+
+  /// Errors: `invalid_option` for one that is negative, not finite or too large, `invalid_input`
+  /// for a curve that is no polyline or not free, what the budget says.
+  template <GridSpace S>
+  requires ClearanceSpace<S> Expected<Curve, Failure> smooth(const S& space, const Curve& input,
+                                                             const Budget& budget)
+  const {
+    if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
+    auto nodes = free_nodes(space, input, budget, "the two-stage B-spline");
+    if (!nodes) return Unexpected{nodes.error()};
+    if (nodes->empty()) return input;
+    avoid_corners(space, *nodes);
+    for (int pass = 0; pass < passes; ++pass) {
+      for (std::size_t i = 1; i + 1 < nodes->size(); ++i) {
+        if (i % 64 == 1) {
+          if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
+        }
+        move_away(space, *nodes, i);
+      }
+    }
+    return CornerSpline(std::move(*nodes), CornerSpline::no_helper).prove(space, budget);
+  }
+
+ private:
+  const char* invalid_option() const {
+    const auto is_valid = [](double x) { return x >= 0 && std::isfinite(x); };
+    if (!is_valid(a)) return "a must be finite and not negative";
+    if (!is_valid(b)) return "b must be finite and not negative";
+    if (!(a + b > 0)) return "a and b must not both be 0";
+    if (!is_valid(c)) return "c must be finite and not negative";
+    if (!(0 <= d0 && d0 <= 100)) return "d0 must lie in [0, 100]";
+    if (passes < 0 || passes > 100) return "passes must lie in [0, 100]";
+    return nullptr;
+  }
+
+  template <class S>
+  static bool is_blocked(const S& space, Cell cell) {
+    return space.grid().contains(cell) && !space.grid().is_free(cell);
+  }
+
+  /// The cell to go through instead of stepping from p to q, if the step is diagonal and passes a
+  /// blocked cell.
+  template <class S>
+  static std::optional<Point> way_round(const S& space, const Point& p, const Point& q) {
+    const Frame& frame = space.frame();
+    const Cell from = frame.nearest_cell(p), to = frame.nearest_cell(q);
+    if (std::abs(from.x - to.x) != 1 || std::abs(from.y - to.y) != 1) return std::nullopt;
+    const Cell first{from.x, to.y}, second{to.x, from.y};
+    const bool blocked = is_blocked(space, first);
+    if (blocked == is_blocked(space, second)) return std::nullopt;  // both: a squeeze, left alone
+    const Point through = frame.point(blocked ? second : first);
+    const bool free = space.segment_free(p, through) && space.segment_free(through, q);
+    return free ? std::optional(through) : std::nullopt;
+  }
+
+  /// Stage 1. The nodes of such a step go where their neighbours then see each other.
+  template <class S>
+  static void avoid_corners(const S& space, std::vector<Point>& nodes) {
+    std::vector<Point> result{nodes.front()};
+    std::vector<bool> marked{false};
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+      const auto through = way_round(space, nodes[i - 1], nodes[i]);
+      if (through) {
+        marked.back() = true;
+        result.push_back(*through);
+        marked.push_back(false);
+      }
+      result.push_back(nodes[i]);
+      marked.push_back(through.has_value());
+    }
+    std::size_t kept = 1;
+    for (std::size_t i = 1; i < result.size(); ++i) {
+      const bool is_end = i + 1 == result.size();
+      if (marked[i] && !is_end && space.segment_free(result[kept - 1], result[i + 1])) continue;
+      result[kept++] = result[i];
+    }
+    result.resize(kept);
+    nodes = std::move(result);
+  }
+
+  /// Stage 2 for one node.
+  template <class S>
+  void move_away(const S& space, std::vector<Point>& nodes, std::size_t i) const {
+    const Point shift = push(space, nodes[i]);
+    for (double part = 1; part > 1.0 / 64; part /= 2) {
+      const Point moved = advance(nodes[i], part, shift);
+      if (moved == nodes[i]) return;
+      if (space.segment_free(nodes[i - 1], moved) && space.segment_free(moved, nodes[i + 1])) {
+        nodes[i] = moved;
+        return;
+      }
+    }
+  }
+
+  /// The mean push of the blocked cells around a point [m].
+  template <class S>
+  Point push(const S& space, const Point& p) const {
+    const Frame& frame = space.frame();
+    const Cell centre = frame.nearest_cell(p);
+    const int reach = static_cast<int>(std::ceil(d0));
+    Point sum = Point::Zero();
+    int count = 0;
+    for (int y = centre.y - reach; y <= centre.y + reach; ++y) {
+      for (int x = centre.x - reach; x <= centre.x + reach; ++x) {
+        if (!is_blocked(space, {x, y})) continue;
+        const Point away = p - frame.point({x, y});
+        const double distance = away.norm() / frame.resolution;
+        if (!(distance < d0) || distance == 0) continue;
+        sum = advance(sum, 1 / (a + b * std::exp(c * distance)) / distance, away);
+        ++count;
+      }
+    }
+    return count == 0 ? sum : Point(sum / count);
+  }
+};
+
+}  // namespace tutavia
