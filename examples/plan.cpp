@@ -15,9 +15,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tutavia/io/geo_json.hpp"
@@ -52,6 +55,9 @@ struct Result {
   Expected<Plan, Failure> plan;
 };
 
+/// What one search with one smoother made of every goal.
+using Group = std::vector<Result>;
+
 void define_options(CLI::App& app, Arguments& args) {
   auto* map = app.add_option("--map", args.map, "Built-in map: array, complex or maze");
   app.add_option("--workspace", args.workspace, "Workspace file (.json, .geojson or .wkt)")
@@ -71,7 +77,8 @@ void define_options(CLI::App& app, Arguments& args) {
   app.add_option("--resolution", args.resolution, "Lattice spacing in metres");
   app.add_option("--search", args.search, "Search, or a comma list of them (any_angle: on grids)")
       ->capture_default_str();
-  app.add_option("--smoother", args.smoother, "Smoother, or a comma list of them")
+  app.add_option("--smoother", args.smoother,
+                 "Smoother, or a comma list of them; A+B is a pipeline: B smooths what A made")
       ->capture_default_str();
   app.add_option("--seed", args.seed, "Seed for searches that draw random numbers");
   app.add_option("--time-limit", args.time_limit, "Seconds per query");
@@ -80,6 +87,17 @@ void define_options(CLI::App& app, Arguments& args) {
   app.add_flag("--compare", args.compare,
                "All searches with the smoother, and all smoothers with the search");
   app.add_flag("--list", args.list, "Print the names of searches and smoothers");
+}
+
+/// The parts of a text between separators, empty ones among them.
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
 }
 
 std::optional<double> parse_number(std::string_view text) {
@@ -92,15 +110,13 @@ std::optional<double> parse_number(std::string_view text) {
 /// The numbers of a comma list.
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,
                                   std::size_t count, const char* form) {
+  const std::vector<std::string> parts = split(text, ',');
   std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto number = parse_number(std::string_view(text).substr(begin, end - begin));
-    if (!number || !std::isfinite(*number)) break;
-    numbers.push_back(*number);
-    begin = end + 1;
-    if (end == text.size() && numbers.size() == count) return numbers;
+  for (const std::string& part : parts) {
+    const auto number = parse_number(part);
+    if (number && std::isfinite(*number)) numbers.push_back(*number);
   }
+  if (parts.size() == count && numbers.size() == count) return numbers;
   throw UsageError{option + ": expected " + form + " with finite numbers, got \"" + text + "\""};
 }
 
@@ -258,14 +274,12 @@ std::vector<Obstacle> blocked_rectangles(const CellSpace& space) {
   return rectangles;
 }
 
-/// The algorithms that a comma list names.
+/// The algorithms that a list names.
 template <class Algorithm>
 std::vector<Algorithm> select(const std::vector<Algorithm>& all, const std::string& option,
-                              const std::string& names) {
+                              const std::string& names, char separator = ',') {
   std::vector<Algorithm> selected;
-  for (std::size_t begin = 0; begin <= names.size();) {
-    const std::size_t end = std::min(names.find(',', begin), names.size());
-    const std::string name = names.substr(begin, end - begin);
+  for (const std::string& name : split(names, separator)) {
     const auto found = std::find_if(
         all.begin(), all.end(), [&](const Algorithm& candidate) { return candidate.name == name; });
     if (found == all.end()) {
@@ -275,20 +289,31 @@ std::vector<Algorithm> select(const std::vector<Algorithm>& all, const std::stri
       throw UsageError{message};
     }
     selected.push_back(*found);
-    begin = end + 1;
+  }
+  return selected;
+}
+
+/// The smoothers and pipelines of them that a comma list names.
+template <class S>
+std::vector<AnySmoother<S>> select_smoothers(const Arguments& args) {
+  const auto all = all_smoothers<S>();
+  std::vector<AnySmoother<S>> selected;
+  for (const std::string& pipeline : split(args.smoother, ',')) {
+    const auto stages = select(all, "--smoother", pipeline, '+');
+    selected.push_back(std::accumulate(stages.begin() + 1, stages.end(), stages.front(), chain<S>));
   }
   return selected;
 }
 
 template <class S>
-std::vector<Result> run(const S& space, const Scene& scene, const Arguments& args,
-                        const AnySearch<S>& search, const AnySmoother<S>& smoother) {
+Group run(const S& space, const Scene& scene, const Arguments& args, const AnySearch<S>& search,
+          const AnySmoother<S>& smoother) {
   Planner planner(search, smoother);
-  std::vector<Result> results;
+  Group results;
   for (const Point& goal : scene.goals) {
     Query query{.start = scene.start, .goal = goal, .seed = args.seed};
     if (args.time_limit) query.budget = Budget::for_seconds(*args.time_limit);
-    results.push_back({{std::string(search.name), std::string(smoother.name), scene.start, goal,
+    results.push_back({{std::string(search.name), smoother.name, scene.start, goal,
                         scene.workspace.safety_radius},
                        planner.plan(space, query)});
   }
@@ -313,7 +338,7 @@ std::string change(double before, double after) {
 constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 /// One row per goal, each figure with its change against the search's own route.
-void print_plans(const std::vector<Result>& results) {
+void print_plans(const Group& results) {
   std::printf("%-16s %10s %9s %6s %9s %9s %9s %10s  %-8s %9s\n", "goal", "length m", "change",
               "turns", "change", "angle deg", "change", "clear >= m", "proof", "ms");
   for (const Result& result : results) {
@@ -338,51 +363,108 @@ void print_plans(const std::vector<Result>& results) {
   }
 }
 
-/// One row per algorithm, figures added up over all goals.
-void print_comparison(const std::vector<std::vector<Result>>& groups, bool by_search) {
-  std::printf("%-20s %9s %10s %6s %9s %10s %10s %10s %9s\n", by_search ? "search" : "smoother",
-              "planned", "length m", "turns", "angle deg", "max curv.", "clear >= m", "expanded",
-              "ms");
-  for (const std::vector<Result>& group : groups) {
-    double length = 0, angle = 0, curvature = 0, ms = 0;
-    double clearance = std::numeric_limits<double>::infinity();
-    std::size_t planned = 0, turns = 0;
-    std::uint64_t expanded = 0;
-    for (const Result& result : group) {
-      if (!result.plan) continue;
-      const PathMetrics& m = result.plan->metrics;
-      const Statistics& s = result.plan->stats;
-      ++planned;
-      length += m.length;
-      turns += m.turning_points;
-      angle += m.turning_angle;
-      curvature = std::max(curvature, m.max_curvature);
-      clearance = std::min(clearance, m.min_clearance);
-      expanded += s.expanded;
-      ms += (s.search_us + s.smooth_us + s.certify_us) / 1000;
-    }
-    const ResultHeader& header = group.front().header;
-    const std::string count = std::to_string(planned) + "/" + std::to_string(group.size());
+/// The figures of a group: sums over the goals that are planned, or the largest or least.
+struct Summary {
+  std::size_t planned = 0, goals = 0;
+  double length = 0, angle = 0, max_curvature = 0, max_joint_deflection = 0;
+  double min_clearance = std::numeric_limits<double>::infinity();
+  double mean_clearance = 0;  ///< mean over the goals
+  double search_us = 0, smooth_us = 0, certify_us = 0;
+  std::size_t turns = 0, evaluations = 0, fell_back = 0;
+  std::uint64_t expanded = 0;
+
+  std::string share_planned() const {
+    return std::to_string(planned) + "/" + std::to_string(goals);
+  }
+};
+
+Summary summary_of(const Group& group) {
+  Summary sum{.goals = group.size()};
+  for (const Result& result : group) {
+    if (!result.plan) continue;
+    const PathMetrics& m = result.plan->metrics;
+    const Statistics& s = result.plan->stats;
+    ++sum.planned;
+    sum.length += m.length;
+    sum.angle += m.turning_angle;
+    sum.max_curvature = std::max(sum.max_curvature, m.max_curvature);
+    sum.max_joint_deflection = std::max(sum.max_joint_deflection, m.max_joint_deflection);
+    sum.min_clearance = std::min(sum.min_clearance, m.min_clearance);
+    sum.mean_clearance += m.mean_clearance;
+    sum.search_us += s.search_us;
+    sum.smooth_us += s.smooth_us;
+    sum.certify_us += s.certify_us;
+    sum.turns += m.turning_points;
+    sum.evaluations += result.plan->certificate.evaluations;
+    sum.fell_back += result.plan->fell_back ? 1 : 0;
+    sum.expanded += s.expanded;
+  }
+  if (sum.planned > 0) sum.mean_clearance /= static_cast<double>(sum.planned);
+  return sum;
+}
+
+/// One row per search, figures added up over all goals.
+void print_searches(std::span<const Group> groups) {
+  std::printf("%-20s %9s %10s %6s %9s %10s %10s %10s %9s\n", "search", "planned", "length m",
+              "turns", "angle deg", "max curv.", "clear >= m", "expanded", "ms");
+  for (const Group& group : groups) {
+    const Summary s = summary_of(group);
     std::printf("%-20s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f\n",
-                (by_search ? header.search : header.smoother).c_str(), count.c_str(), length, turns,
-                degrees(angle), curvature, clearance, static_cast<unsigned long long>(expanded),
-                ms);
+                group.front().header.search.c_str(), s.share_planned().c_str(), s.length, s.turns,
+                degrees(s.angle), s.max_curvature, s.min_clearance,
+                static_cast<unsigned long long>(s.expanded),
+                (s.search_us + s.smooth_us + s.certify_us) / 1000);
   }
 }
 
+/// The lengths of the routes of a group when pulled taut, added up; NaN where one cannot be.
+template <class S>
+double taut_length(const S& space, const Group& group) {
+  double length = 0;
+  for (const Result& result : group) {
+    if (!result.plan) continue;
+    const auto taut = TautString{}.smooth(space, result.plan->route.curve, {});
+    length += taut ? taut->length() : std::numeric_limits<double>::quiet_NaN();
+  }
+  return length;
+}
+
+/// One row per smoother, figures added up over all goals. A smoother that leaves the homotopy class
+/// of a route may come out shorter than its taut string.
+template <class S>
+void print_smoothers(const S& space, std::span<const Group> groups) {
+  std::printf("%-22s %7s %10s %8s %13s %9s %9s %10s %12s %10s %8s\n", "smoother", "planned",
+              "length m", "/ taut", "max curv. 1/m", "angle deg", "joint deg", "clear >= m",
+              "clear mean m", "us", "proofs");
+  for (const Group& group : groups) {
+    const Summary s = summary_of(group);
+    std::printf("%-22s %7s", group.front().header.smoother.c_str(), s.share_planned().c_str());
+    if (s.planned > 0) {
+      const double taut = taut_length(space, group);
+      std::printf(" %10.4f %8.4f %13.4f %9.2f %9.2f %10.4f %12.4f %10.1f %8zu", s.length,
+                  s.length == taut ? 1 : s.length / taut, s.max_curvature, degrees(s.angle),
+                  degrees(s.max_joint_deflection), s.min_clearance, s.mean_clearance, s.smooth_us,
+                  s.evaluations);
+    }
+    if (s.fell_back > 0) std::printf("  (%zu fell back to the route)", s.fell_back);
+    std::printf("\n");
+  }
+}
+
+/// Draws all plans, and takes them for it.
 template <class S>
 void draw(const std::string& path, const Scene& scene, const S& space, bool y_down,
-          const std::vector<std::vector<Result>>& groups) {
+          std::vector<Group> groups) {
   SvgOptions options{.title = scene.name, .y_down = y_down};
   std::vector<Plan> plans;
   const DeltaSmoother delta;
-  for (const auto& group : groups) {
-    for (const Result& result : group) {
+  for (Group& group : groups) {
+    for (Result& result : group) {
       if (!result.plan) continue;
-      plans.push_back(*result.plan);
+      plans.push_back(std::move(*result.plan));
       if (result.header.smoother != DeltaSmoother::name) continue;
       for (const Corner& corner :
-           critical_corners(space, joints(result.plan->route.curve), delta.corner_threshold,
+           critical_corners(space, joints(plans.back().route.curve), delta.corner_threshold,
                             delta.min_exterior_angle)) {
         options.critical_corners.push_back(corner.position);
       }
@@ -393,9 +475,9 @@ void draw(const std::string& path, const Scene& scene, const S& space, bool y_do
   }
 }
 
-void write_results(const std::string& path, const std::vector<std::vector<Result>>& groups) {
+void write_results(const std::string& path, const std::vector<Group>& groups) {
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
-  for (const auto& group : groups) {
+  for (const Group& group : groups) {
     for (const Result& result : group) {
       results.push_back(result.plan ? result_to_json(result.header, *result.plan)
                                     : result_to_json(result.header, result.plan.error()));
@@ -410,61 +492,69 @@ void write_results(const std::string& path, const std::vector<std::vector<Result
   }
 }
 
+/// All searches with the smoother, and all smoothers with the search, which finds the same routes
+/// each time; a pipeline that is asked for takes part.
+template <class S>
+std::vector<Group> compare(const S& space, const Scene& scene, const Arguments& args, bool table) {
+  const auto searches = all_searches<S>();
+  const auto search = select(searches, "--search", args.search).front();
+  const auto smoother = select_smoothers<S>(args).front();
+  auto smoothers = all_smoothers<S>();
+  if (smoother.name.find('+') != std::string::npos) smoothers.push_back(smoother);
+  std::vector<Group> groups;
+  groups.reserve(searches.size() + smoothers.size());
+  for (const auto& other : searches) groups.push_back(run(space, scene, args, other, smoother));
+  if (table) {
+    std::printf("\nall searches, smoother %s; sums over %zu goals\n", args.smoother.c_str(),
+                scene.goals.size());
+    print_searches(groups);
+  }
+  for (const auto& other : smoothers) groups.push_back(run(space, scene, args, search, other));
+  if (table) {
+    std::printf("\nall smoothers, search %s, on the same routes; sums over %zu goals\n",
+                args.search.c_str(), scene.goals.size());
+    print_smoothers(space, std::span<const Group>(groups).subspan(searches.size()));
+  }
+  return groups;
+}
+
+/// The searches and smoothers asked for in every combination.
+template <class S>
+std::vector<Group> combine(const S& space, const Scene& scene, const Arguments& args, bool table) {
+  const auto smoothers = select_smoothers<S>(args);
+  std::vector<Group> groups;
+  for (const auto& search : select(all_searches<S>(), "--search", args.search)) {
+    for (const auto& smoother : smoothers) {
+      groups.push_back(run(space, scene, args, search, smoother));
+      if (!table) continue;
+      std::printf("\nsearch %s, smoother %s; changes against the route of the search\n",
+                  std::string(search.name).c_str(), smoother.name.c_str());
+      print_plans(groups.back());
+    }
+  }
+  return groups;
+}
+
 /// Plans everything asked for and reports it. `y_down` is for pictures.
 template <class S>
 int plan_in(const S& space, const Scene& scene, const Arguments& args, bool draw_default,
             bool y_down) {
-  const auto searches = all_searches<S>();
-  const auto smoothers = all_smoothers<S>();
-  const auto chosen_searches = select(searches, "--search", args.search);
-  const auto chosen_smoothers = select(smoothers, "--smoother", args.smoother);
   const bool table = args.json != "-";
-  std::vector<std::vector<Result>> groups;
-  if (args.compare) {
-    groups.reserve(searches.size() + smoothers.size());
-    for (const auto& search : searches) {
-      groups.push_back(run(space, scene, args, search, chosen_smoothers[0]));
-    }
-    if (table) {
-      std::printf("\nall searches, smoother %s; sums over %zu goals\n", args.smoother.c_str(),
-                  scene.goals.size());
-      print_comparison(groups, true);
-    }
-    std::vector<std::vector<Result>> by_smoother;
-    for (const auto& smoother : smoothers) {
-      by_smoother.push_back(run(space, scene, args, chosen_searches[0], smoother));
-    }
-    if (table) {
-      std::printf("\nall smoothers, search %s; sums over %zu goals\n", args.search.c_str(),
-                  scene.goals.size());
-      print_comparison(by_smoother, false);
-    }
-    groups.insert(groups.end(), by_smoother.begin(), by_smoother.end());
-  } else {
-    for (const auto& search : chosen_searches) {
-      for (const auto& smoother : chosen_smoothers) {
-        groups.push_back(run(space, scene, args, search, smoother));
-        if (!table) continue;
-        std::printf("\nsearch %s, smoother %s; changes against the route of the search\n",
-                    std::string(search.name).c_str(), std::string(smoother.name).c_str());
-        print_plans(groups.back());
-      }
-    }
-  }
+  std::vector<Group> groups =
+      args.compare ? compare(space, scene, args, table) : combine(space, scene, args, table);
   std::fflush(stdout);
+  const bool complete = std::all_of(groups.begin(), groups.end(), [](const Group& group) {
+    return std::all_of(group.begin(), group.end(),
+                       [](const Result& result) { return result.plan.has_value(); });
+  });
 
   if (!args.json.empty()) write_results(args.json, groups);
   const std::string picture = args.svg.empty() && draw_default ? "maze.svg" : args.svg;
   if (!picture.empty()) {
-    draw(picture, scene, space, y_down, groups);
+    draw(picture, scene, space, y_down, std::move(groups));
     if (table) std::printf("\npicture: %s\n", picture.c_str());
   }
-  for (const auto& group : groups) {
-    for (const Result& result : group) {
-      if (!result.plan) return 1;
-    }
-  }
-  return 0;
+  return complete ? 0 : 1;
 }
 
 int plan_on_grid(const Arguments& args) {
@@ -504,9 +594,9 @@ int plan_in_workspace(const Arguments& args, bool draw_default) {
 /// Refuses names that are none before anything is loaded or printed.
 template <class S>
 void check_names(const Arguments& args) {
-  const auto named_searches = select(all_searches<S>(), "--search", args.search);
-  const auto named_smoothers = select(all_smoothers<S>(), "--smoother", args.smoother);
-  if (args.compare && (named_searches.size() > 1 || named_smoothers.size() > 1)) {
+  const std::size_t searches = select(all_searches<S>(), "--search", args.search).size();
+  const std::size_t smoothers = select_smoothers<S>(args).size();
+  if (args.compare && (searches > 1 || smoothers > 1)) {
     throw UsageError{"--compare takes one --search and one --smoother to hold the others against"};
   }
 }
@@ -517,7 +607,7 @@ int plan(const Arguments& args, bool draw_default) {
     for (const auto& search : all_searches<CellSpace>()) std::cout << ' ' << search.name;
     std::cout << "\nsmoother:";
     for (const auto& smoother : all_smoothers<CellSpace>()) std::cout << ' ' << smoother.name;
-    std::cout << '\n';
+    std::cout << "\npipeline: A+B smooths with A, then with B\n";
     return 0;
   }
   if (args.grid.empty()) {

@@ -35,7 +35,8 @@ class Pipeline {
   template <class S>
   requires(Smoother<Stages, S>&&...) Expected<Curve, Failure> smooth(const S& space,
                                                                      const Curve& input,
-                                                                     const Budget& budget) const {
+                                                                     const Budget& budget)
+  const {
     Expected<Curve, Failure> result = input;
     const auto run = [&](const auto& stage) {
       result = stage.smooth(space, *result, budget);

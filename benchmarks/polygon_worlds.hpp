@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "tutavia/core/random.hpp"
+#include "tutavia/world/scene.hpp"
+
+/// \file
+/// Worlds of convex polygons for benchmarks on workspaces.
+
+namespace polygon_worlds {
+
+using namespace tutavia;
+
+/// How large the polygons are, and the robot, so that about as much of the world is free with any
+/// number of them.
+struct Sizes {
+  double smallest, largest, safety_radius;  // [m]
+};
+
+inline Sizes sizes_of(std::size_t polygons) {
+  if (polygons <= 16) return {4, 9, 0.5};
+  if (polygons <= 100) return {1.5, 4, 0.4};
+  if (polygons <= 300) return {1, 2.4, 0.3};
+  return {0.5, 1.4, 0.2};
+}
+
+/// 100 x 100 m with convex polygons of 4 to 8 vertices on circles, the angles between neighbouring
+/// vertices between 0.35 and 2.8 rad; they may overlap, but keep half a metre more than the safety
+/// radius from start and goal, which lie in opposite corners.
+inline Scene make(std::size_t polygons, std::uint64_t seed) {
+  Random random(seed);
+  const Sizes sizes = sizes_of(polygons);
+  Scene scene;
+  scene.workspace = {
+      .bounds = {{0, 0}, {100, 100}}, .safety_radius = sizes.safety_radius, .obstacles = {}};
+  scene.start = {2.125, 2.125};
+  scene.goals = {{97.875, 97.875}};
+  scene.resolution = 0.25;
+  while (scene.workspace.obstacles.size() < polygons) {
+    const double radius = random.uniform(sizes.smallest, sizes.largest);
+    const Point centre{random.uniform(0, 100), random.uniform(0, 100)};
+    const double gap = radius + sizes.safety_radius + 0.5;
+    if (distance(centre, scene.start) < gap || distance(centre, scene.goals[0]) < gap) continue;
+    std::vector<double> angles(4 + random.below(5));
+    for (double& angle : angles) angle = random.uniform(0, 2 * std::numbers::pi);
+    std::sort(angles.begin(), angles.end());
+    bool spread = true;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * std::numbers::pi;
+      spread = spread && next - angles[i] >= 0.35 && next - angles[i] <= 2.8;
+    }
+    if (!spread) continue;
+    Ring ring;
+    for (const double a : angles) {
+      ring.push_back({centre.x() + radius * std::cos(a), centre.y() + radius * std::sin(a)});
+    }
+    scene.workspace.obstacles.emplace_back(Polygon{std::move(ring)});
+  }
+  return scene;
+}
+
+}  // namespace polygon_worlds

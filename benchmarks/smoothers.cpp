@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// All smoothers on routes of A* through worlds of polygons: time, the proof included, against the
+/// time of a textbook A* for the same query, and length against the taut string.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "baselines.hpp"
+#include "map_benchmark.hpp"
+#include "polygon_worlds.hpp"
+#include "tutavia/certify/certify.hpp"
+#include "tutavia/registry.hpp"
+#include "tutavia/space/lattice_space.hpp"
+
+namespace {
+
+using namespace tutavia;
+using map_benchmark::Clock;
+using map_benchmark::micros_since;
+using map_benchmark::UsageError;
+using map_benchmark::value_or_throw;
+
+struct Arguments {
+  std::vector<std::size_t> polygons{16, 100, 300, 1000};
+  std::vector<std::string> smoothers;
+  std::size_t worlds = 20, rounds = 5;
+  std::uint64_t seed = 1;
+  std::string csv;
+};
+
+/// What one smoother did in all worlds with one number of polygons.
+struct Row {
+  std::size_t polygons;
+  std::string smoother;
+  std::vector<double> micros{};  ///< least over the rounds, per world
+  double of_textbook = 0;        ///< sums of shares over the worlds
+  double over_taut = 0;
+  double of_search = 0;
+  std::size_t evaluations = 0, failed = 0;
+
+  double mean() const {
+    double sum = 0;
+    for (const double t : micros) sum += t;
+    return sum / static_cast<double>(micros.size());
+  }
+  double per_world(double sum) const { return sum / static_cast<double>(micros.size()); }
+};
+
+/// One world and its route; times in turn within every round.
+void run_world(const Scene& scene, const Route& route, const LatticeSpace& space,
+               const std::vector<AnySmoother<LatticeSpace>>& smoothers, const Arguments& args,
+               double search_us, std::vector<Row>& rows) {
+  baseline::TextbookAStar textbook(space.grid());
+  const Cell start = space.frame().nearest_cell(scene.start);
+  const Cell goal = space.frame().nearest_cell(scene.goals[0]);
+  const double taut = value_or_throw(TautString{}.smooth(space, route.curve, {})).length();
+  double textbook_us = std::numeric_limits<double>::infinity();
+  std::vector<double> best(smoothers.size(), textbook_us);
+  for (std::size_t round = 0; round < args.rounds; ++round) {
+    auto begin = Clock::now();
+    const bool found = textbook(start, goal).cost < std::numeric_limits<double>::infinity();
+    textbook_us = std::min(textbook_us, micros_since(begin));
+    if (!found) throw UsageError{"the textbook A* found no path"};
+    for (std::size_t s = 0; s < smoothers.size(); ++s) {
+      begin = Clock::now();
+      const auto curve = smoothers[s].smooth(space, route.curve, {});
+      const Certificate proof = curve ? certify(space, *curve) : Certificate{};
+      best[s] = std::min(best[s], micros_since(begin));
+      if (round > 0) continue;
+      Row& row = rows[s];
+      if (proof.status != ProofStatus::proved) ++row.failed;
+      row.evaluations += proof.evaluations;
+      row.over_taut += curve ? curve->length() / taut : 0;
+    }
+  }
+  for (std::size_t s = 0; s < smoothers.size(); ++s) {
+    rows[s].micros.push_back(best[s]);
+    rows[s].of_textbook += best[s] / textbook_us;
+    rows[s].of_search += best[s] / search_us;
+  }
+}
+
+/// The worlds with one number of polygons that have a route.
+std::vector<Row> run_worlds(std::size_t polygons,
+                            const std::vector<AnySmoother<LatticeSpace>>& smoothers,
+                            const Arguments& args) {
+  std::vector<Row> rows;
+  for (const auto& smoother : smoothers) rows.push_back({polygons, smoother.name});
+  std::uint64_t seed = args.seed;
+  AStar::Scratch scratch;
+  for (std::size_t world = 0; world < args.worlds; ++seed) {
+    if (seed > args.seed + 100 * args.worlds) throw UsageError{"too few worlds have a route"};
+    const Scene scene = polygon_worlds::make(polygons, seed);
+    const LatticeSpace space =
+        value_or_throw(LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}));
+    NoObserver nobody;
+    const Query query{.start = scene.start, .goal = scene.goals[0]};
+    double search_us = std::numeric_limits<double>::infinity();
+    auto route = AStar{}.search(space, query, scratch, nobody);
+    if (!route) continue;
+    for (std::size_t round = 0; round < args.rounds; ++round) {
+      const auto begin = Clock::now();
+      route = AStar{}.search(space, query, scratch, nobody);
+      search_us = std::min(search_us, micros_since(begin));
+    }
+    run_world(scene, *route, space, smoothers, args, search_us, rows);
+    ++world;
+  }
+  return rows;
+}
+
+void print(const Row& r) {
+  std::printf("%8zu %-24s %10.1f %13.2f %12.2f %13.6f %12.0f %7zu\n", r.polygons,
+              r.smoother.c_str(), r.mean(), 100 * r.per_world(r.of_textbook),
+              100 * r.per_world(r.of_search), r.per_world(r.over_taut),
+              r.per_world(static_cast<double>(r.evaluations)), r.failed);
+  std::fflush(stdout);
+}
+
+std::string csv_text(const std::vector<Row>& rows) {
+  std::string text =
+      "polygons,smoother,worlds,mean_us,of_textbook_astar,of_astar,length_over_taut,evaluations,"
+      "failed\n";
+  char line[256];
+  for (const Row& r : rows) {
+    std::snprintf(line, sizeof line, "%zu,%s,%zu,%.3f,%.6f,%.6f,%.9f,%.1f,%zu\n", r.polygons,
+                  r.smoother.c_str(), r.micros.size(), r.mean(), r.per_world(r.of_textbook),
+                  r.per_world(r.of_search), r.per_world(r.over_taut),
+                  r.per_world(static_cast<double>(r.evaluations)), r.failed);
+    text += line;
+  }
+  return text;
+}
+
+int run(const Arguments& args) {
+  std::vector<AnySmoother<LatticeSpace>> chosen;
+  for (const auto& smoother : all_smoothers<LatticeSpace>()) {
+    const auto& names = args.smoothers;
+    if (names.empty() || std::find(names.begin(), names.end(), smoother.name) != names.end()) {
+      chosen.push_back(smoother);
+    }
+  }
+  if (!args.smoothers.empty() && chosen.size() != args.smoothers.size()) {
+    std::string known;
+    for (const auto& smoother : all_smoothers<LatticeSpace>()) known += " " + smoother.name;
+    throw UsageError{"--smoother: unknown or repeated name; known:" + known};
+  }
+  std::printf("100 x 100 m, lattice 0.25 m, worlds from seed %llu on; times with the proof\n",
+              static_cast<unsigned long long>(args.seed));
+  std::printf("%8s %-24s %10s %13s %12s %13s %12s %7s\n", "polygons", "smoother", "mean us",
+              "% textbook A*", "% own A*", "length / taut", "evaluations", "failed");
+  std::vector<Row> rows;
+  for (const std::size_t polygons : args.polygons) {
+    for (const Row& row : run_worlds(polygons, chosen, args)) {
+      print(row);
+      rows.push_back(row);
+    }
+  }
+  if (!args.csv.empty()) {
+    if (const auto written = write_file(args.csv, csv_text(rows)); !written) {
+      throw UsageError{written.error().detail};
+    }
+  }
+  const bool good =
+      std::all_of(rows.begin(), rows.end(), [](const Row& r) { return r.failed == 0; });
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments args;
+  CLI::App app("Smoothers on routes through worlds of polygons, their results proved");
+  app.add_option("--polygons", args.polygons, "Numbers of polygons")
+      ->delimiter(',')
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
+  app.add_option("--smoother", args.smoothers, "Smoothers; all where none are named")
+      ->delimiter(',');
+  app.add_option("--worlds", args.worlds, "Worlds per number of polygons")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--rounds", args.rounds, "Least time over so many rounds")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", args.seed, "Of the first world")->capture_default_str();
+  app.add_option("--csv", args.csv, "Write the figures to a file");
+  try {
+    app.parse(argc, argv);
+    return run(args);
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "tutavia-bench-smoothers: " << error.what() << '\n';
+  } catch (const UsageError& error) {
+    std::cerr << "tutavia-bench-smoothers: " << error.message << '\n';
+  }
+  return 2;
+}
