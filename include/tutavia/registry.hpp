@@ -21,6 +21,7 @@
 #include "tutavia/search/jps_plus.hpp"
 #include "tutavia/search/jps_theta_star.hpp"
 #include "tutavia/search/penalty_astar.hpp"
+#include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/search/theta_star.hpp"
 #include "tutavia/search/weighted_astar.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
@@ -120,6 +121,9 @@ std::vector<AnySearch<S>> all_searches() {
                                 erase_search<S>(LazyThetaStar{}),
                                 erase_search<S>(JpsThetaStar{})};
   if constexpr (Searcher<AnyAngle, S>) all.push_back(erase_search<S>(AnyAngle{}));
+  if constexpr (requires(const S& s) { s.workspace(); }) {
+    all.push_back(erase_search<S>(TangentGraph{}));
+  }
   return all;
 }
 

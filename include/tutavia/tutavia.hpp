@@ -88,6 +88,7 @@
 #include "tutavia/search/penalty_astar.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/route.hpp"
+#include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/search/theta_star.hpp"
 #include "tutavia/search/wave_search.hpp"
 #include "tutavia/search/weighted_astar.hpp"

@@ -104,4 +104,32 @@ TEST_CASE("smoothers take routes of ten thousand points") {
   }
 }
 
+TEST_CASE("a run along a wall is proved as a whole where its steps, rounded, are not") {
+  // The wall's edge and the run have the same two ends; its grid nodes do not lie on it in doubles.
+  const Point a{-9 * 0.1, -17 * 0.1}, b{-1 * 0.1, -9 * 0.1};
+  const auto space = LatticeSpace::build({.bounds = {{-5, -5}, {5, 5}},
+                                          .safety_radius = 0,
+                                          .obstacles = {Polygon{{a, {b.x(), a.y()}, b}}}},
+                                         {.resolution = 0.1})
+                         .value();
+  std::size_t inputs = 0;
+  for (const double aside : {0.3, 0.35, 0.4, 0.45}) {
+    const Point points[] = {a, b, b + Point(0, aside), b + Point(-0.3, aside + 0.15)};
+    const Curve input = Curve::polyline(points);
+    if (certify(space, input).status != ProofStatus::proved) continue;
+    ++inputs;
+    for (const auto& smoother : all_smoothers<LatticeSpace>()) {
+      INFO(smoother.name << ", " << aside);
+      const auto output = smoother.smooth(space, input, {});
+      REQUIRE(output);
+      CHECK(certify(space, *output).status == ProofStatus::proved);
+    }
+    const DeltaSmoother tangent{.join = DeltaSmoother::Join::tangent};
+    const auto output = tangent.smooth(space, input, {});
+    REQUIRE(output);
+    CHECK(certify(space, *output).status == ProofStatus::proved);
+  }
+  CHECK(inputs > 0);
+}
+
 }  // namespace

@@ -44,10 +44,15 @@ inline long winding(const std::vector<Point>& loop, const Point& p) {
 inline bool winds_around_nothing(const Workspace& world, const Curve& a, const Curve& b) {
   std::vector<Point> loop = outline(a), back = outline(b);
   loop.insert(loop.end(), back.rbegin(), back.rend());
+  const auto all_clear = [&](const Ring& ring) {
+    return std::all_of(ring.begin(), ring.end(),
+                       [&](const Point& p) { return winding(loop, p) == 0; });
+  };
   return std::all_of(world.obstacles.begin(), world.obstacles.end(), [&](const Obstacle& obstacle) {
-    const Disc* disc = std::get_if<Disc>(&obstacle);
-    const Point p = disc != nullptr ? disc->center : std::get<Polygon>(obstacle).outer.front();
-    return winding(loop, p) == 0;
+    if (const Disc* disc = std::get_if<Disc>(&obstacle)) return all_clear({disc->center});
+    const Polygon& polygon = std::get<Polygon>(obstacle);
+    return all_clear(polygon.outer) &&
+           std::all_of(polygon.holes.begin(), polygon.holes.end(), all_clear);
   });
 }
 

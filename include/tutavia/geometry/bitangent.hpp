@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
+#include "tutavia/geometry/arc.hpp"
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// Bitangents of circles that a path passes on a given side.
+/// Bitangents and arcs of circles that a path passes on a given side.
 
 namespace tutavia {
 
@@ -47,6 +50,28 @@ inline std::optional<Bitangent> bitangent(const SidedCircle& a, const SidedCircl
   result.from = a.touch(result.direction);
   result.to = b.touch(result.direction);
   return result;
+}
+
+/// Calls `visit(arc)` for the arcs, of about half a circle at most, by which a path that turns by
+/// `turn` (left positive, to the nearest full turn [rad]) goes around a circle from `in` to `out`.
+/// None where these lie within `tolerance` of each other and the path does not go all the way
+/// round, and at radius 0.
+template <class Visit>
+void for_each_arc(const SidedCircle& circle, const Point& in, const Point& out, double turn,
+                  double tolerance, Visit visit) {
+  if (circle.radius == 0 || (distance(in, out) <= tolerance && std::abs(turn) < 1)) return;
+  const double least = deflection(in - circle.center, out - circle.center);
+  constexpr double full = 2 * std::numbers::pi;
+  const double sweep = least + full * std::round((turn - least) / full);
+  const int count = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 3.15)));
+  Point at = in;
+  for (int i = 0; i < count; ++i) {
+    Arc arc = Arc::around(circle.center, circle.radius, heading(at - circle.center), sweep / count);
+    arc.a = at;
+    if (i + 1 == count) arc.b = out;
+    at = arc.b;
+    visit(arc);
+  }
 }
 
 }  // namespace tutavia

@@ -40,26 +40,46 @@ Expected<void, Failure> check_free(const S& space, const Curve& curve, const Bud
   return {};
 }
 
-/// The joints of a polyline that is proved free. `invalid_input` as `check_free`, and for a curved
-/// piece; `taker` says who takes polylines only.
+/// A curve with the nodes that a grid path passes for joints, every piece of it proved free.
+/// Errors: those of `check_free`.
+template <ClearanceSpace S>
+Expected<Curve, Failure> free_steps(const S& space, const Curve& curve, const Budget& budget) {
+  Curve split = split_at_nodes(space, curve);
+  if (check_free(space, split, budget)) return split;
+  // A run can be free while a step of it, whose ends are rounded, is not.
+  if (const auto free = check_free(space, curve, budget); !free) return Unexpected{free.error()};
+  return curve;
+}
+
+/// `invalid_input` for a curve with pieces that are not straight, which `taker` does not take.
+inline Expected<void, Failure> check_polyline(const Curve& curve, std::string_view taker) {
+  const auto is_straight = [](const Piece& p) { return std::holds_alternative<Segment>(p); };
+  if (std::all_of(curve.pieces().begin(), curve.pieces().end(), is_straight)) return {};
+  return fail(PlanError::invalid_input, std::string(taker) + " takes polylines only");
+}
+
+/// The joints of a polyline that is proved free. Errors: those of `check_polyline` and
+/// `check_free`.
 template <ClearanceSpace S>
 Expected<std::vector<Point>, Failure> free_polyline(const S& space, const Curve& curve,
                                                     const Budget& budget, std::string_view taker) {
-  const auto is_straight = [](const Piece& p) { return std::holds_alternative<Segment>(p); };
-  if (!std::all_of(curve.pieces().begin(), curve.pieces().end(), is_straight)) {
-    return fail(PlanError::invalid_input, std::string(taker) + " takes polylines only");
+  if (const auto straight = check_polyline(curve, taker); !straight) {
+    return Unexpected{straight.error()};
   }
   if (const auto free = check_free(space, curve, budget); !free) return Unexpected{free.error()};
   return joints(curve);
 }
 
-/// The same with the nodes that a grid path passes.
+/// The same with the nodes that a grid path passes: every leg between two is proved.
 template <ClearanceSpace S>
 Expected<std::vector<Point>, Failure> free_nodes(const S& space, const Curve& curve,
                                                  const Budget& budget, std::string_view taker) {
-  auto nodes = free_polyline(space, split_at_nodes(space, curve), budget, taker);
-  // A run can be free while a step of it, whose ends are rounded, is not.
-  return nodes ? nodes : free_polyline(space, curve, budget, taker);
+  if (const auto straight = check_polyline(curve, taker); !straight) {
+    return Unexpected{straight.error()};
+  }
+  const auto curve_of_steps = free_steps(space, curve, budget);
+  if (!curve_of_steps) return Unexpected{curve_of_steps.error()};
+  return joints(*curve_of_steps);
 }
 
 }  // namespace tutavia

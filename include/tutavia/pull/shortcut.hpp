@@ -11,7 +11,6 @@
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/pull/farthest_in_sight.hpp"
-#include "tutavia/pull/grid_nodes.hpp"
 #include "tutavia/pull/route_check.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -32,15 +31,15 @@ struct Shortcut {
   /// Errors: `invalid_input` for a curve that is not free, what the budget says.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
-    if (const auto free = check_free(space, input, budget); !free) return Unexpected{free.error()};
-    const Curve curve = split_at_nodes(space, input);
-    const std::vector<Point> points = joints(curve);
+    const auto curve = free_steps(space, input, budget);
+    if (!curve) return curve;
+    const std::vector<Point> points = joints(*curve);
     Curve result;
     for (std::size_t i = 0; i + 1 < points.size();) {
       if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while taking shortcuts");
       const auto sees = [&](std::size_t j) { return space.segment_free(points[i], points[j]); };
       const std::size_t last = farthest_looking_ahead(i, points.size() - 1, sees);
-      const Piece& original = curve.pieces()[i];
+      const Piece& original = curve->pieces()[i];
       if (last > i + 1 || (!std::holds_alternative<Segment>(original) && sees(last))) {
         result.push_back(Segment{points[i], points[last]});
       } else {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -81,8 +82,9 @@ class Band {
 template <class S>
 class PulledString {
  public:
-  PulledString(const S& space, const std::vector<Point>& nodes)
+  PulledString(const S& space, const std::vector<Point>& nodes, const Budget& budget)
       : space_(space),
+        budget_(budget),
         slack_(space.slack()),
         radius_(space.safety_radius() > 0 ? space.safety_radius() + 4 * slack_ : 0) {
     bends_.reserve(2 * nodes.size());
@@ -92,15 +94,17 @@ class PulledString {
       bends_.push_back({{p, 0, 1}, true, 0, {}, i == 0 ? none : i - 1, none});
       if (i == 0) continue;
       bends_[i - 1].next = i;
-      bends_[i - 1].out = *bitangent(bends_[i - 1].circle, bends_[i].circle);
+      // None between points whose distance vanishes in rounding.
+      const Bitangent nowhere{bends_[i - 1].circle.center, p, {1, 0}, 0};
+      bends_[i - 1].out = bitangent(bends_[i - 1].circle, bends_[i].circle).value_or(nowhere);
     }
     last_ = bends_.size() - 1;
   }
 
   /// Pulls until every bend is taut or cannot be pulled in a proved way.
-  std::optional<PlanError> pull(const Budget& budget) {
+  std::optional<PlanError> pull() {
     for (std::size_t b = bends_[0].next; b != none && b != last_;) {
-      if (const auto exceeded = budget.exceeded()) return exceeded;
+      if (const auto exceeded = budget_.exceeded()) return exceeded;
       const std::optional<std::size_t> before = is_taut(b) ? std::nullopt : take_out(b);
       b = !before ? bends_[b].next : *before == 0 ? bends_[0].next : *before;
     }
@@ -113,11 +117,10 @@ class PulledString {
     for (std::size_t i = 0; i != last_ && last_ != 0; i = bends_[i].next) {
       const Bend& bend = bends_[i];
       // Within the allowance of its construction a bend that hardly turns has no arc.
-      if (!bend.is_pin && distance(at, bend.out.from) > slack_) {
-        for_each_arc(bend.circle, at, bend.out.from, bend.turn,
-                     [&](const Arc& arc) { curve.push_back(arc); });
-        at = bend.out.from;
-      }
+      for_each_arc(bend.circle, at, bend.out.from, bend.turn, slack_, [&](const Arc& arc) {
+        curve.push_back(arc);
+        at = arc.b;
+      });
       curve.push_back(Segment{at, bend.out.to});
       at = bend.out.to;
     }
@@ -154,25 +157,6 @@ class PulledString {
     return a.center == b.center && a.radius == b.radius;
   }
 
-  /// The arcs around a circle between two touching points; none turns by more than half a circle.
-  template <class Visit>
-  static void for_each_arc(const SidedCircle& circle, const Point& in, const Point& out,
-                           double turn, Visit visit) {
-    const Point from = in - circle.center;
-    const double least = deflection(from, out - circle.center), full = 2 * std::numbers::pi;
-    const double sweep = least + full * std::round((turn - least) / full);
-    const int count = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 3.15)));
-    Point at = in;
-    for (int i = 0; i < count; ++i) {
-      const double start = heading(at - circle.center);
-      Arc arc = Arc::around(circle.center, circle.radius, start, sweep / count);
-      arc.a = at;
-      if (i + 1 == count) arc.b = out;
-      at = arc.b;
-      visit(arc);
-    }
-  }
-
   /// Takes a bend out, if what replaces it is proved and no longer; with it the neighbours that the
   /// string then lifts off. Returns the bend before what is new.
   std::optional<std::size_t> take_out(std::size_t b) {
@@ -184,6 +168,7 @@ class PulledString {
     find_obstacles(a, c, side);
     for (int proofs = 0; proofs < 8;) {
       if (!wrap(a, c, side)) break;
+      if (add_barring(a, c)) continue;
       const bool lifts_a = !bends_[a].is_pin && bends_[a].circle.side * turn_after(a) < 0;
       const bool lifts_c = !bends_[c].is_pin && bends_[c].circle.side * turn_before(c) < 0;
       if (lifts_a || lifts_c) {
@@ -191,6 +176,7 @@ class PulledString {
         find_obstacles(a, c, side);
         continue;
       }
+      if (!turns_as_before(a, c, side)) break;
       const std::size_t known = obstacles_.size();
       if (is_proved(a, c, side)) return replace(a, c) ? std::optional(a) : std::nullopt;
       if (obstacles_.size() == known) break;
@@ -224,86 +210,145 @@ class PulledString {
     });
   }
 
-  /// Finds the circles that the string would cross on its way to the straight line between two
-  /// bends.
+  /// Finds the circles that the string crosses on its way to the straight line between two bends.
   void find_obstacles(std::size_t a, std::size_t c, int side) {
-    const auto straight = bitangent(bends_[a].circle, bends_[c].circle);
     swept_.clear();
     for (std::size_t i = a; i != c; i = bends_[i].next) {
       swept_.push_back(bends_[i].out.from);
       swept_.push_back(bends_[i].out.to);
     }
-    if (straight) swept_.insert(swept_.end(), {straight->to, straight->from});
+    if (const auto straight = bitangent(bends_[a].circle, bends_[c].circle)) {
+      swept_.insert(swept_.end(), {straight->to, straight->from});
+    }
     obstacles_.clear();
+    near_.clear();
     const Band band(swept_, way_to(c).to);
     band.for_each_box(radius_, [&](const Box& box) {
       for_each_circle(box, side, [&](const SidedCircle& circle) {
         if (band.is_far(circle)) return;
-        if (is_inside(swept_, circle.center) || (straight && bars(circle, *straight, side))) {
-          add_obstacle(circle, a, c);
-        }
+        const bool is_inside = place_in(swept_, circle.center) == Place::inside;
+        (is_inside ? obstacles_ : near_).push_back(circle);
       });
     });
+    settle_obstacles(a, c);
   }
 
-  /// Whether a circle comes into a straight way from the side that the string turns to.
-  bool bars(const SidedCircle& circle, const Bitangent& way, int side) const {
-    const double aside = cross(way.direction, circle.center - way.from);
-    return side * aside >= 0 &&
-           distance(circle.center, Segment{way.from, way.to}) < circle.radius - slack_;
-  }
-
-  /// Adds a circle that is new and none of the bends from a to c.
-  void add_obstacle(const SidedCircle& circle, std::size_t a, std::size_t c) {
-    for (std::size_t i = a; i != bends_[c].next; i = bends_[i].next) {
-      if (circle.center == bends_[i].circle.center) return;
+  /// Makes obstacles of the circles beside that come into the chain's ways; whether there are any.
+  bool add_barring(std::size_t a, std::size_t c) {
+    const std::size_t known = obstacles_.size();
+    for (const SidedCircle& circle : near_) {
+      for (const Bitangent& way : chain_.ways) {
+        if (circle.radius > 0 && bars(circle, Segment{way.from, way.to})) {
+          obstacles_.push_back(circle);
+          break;
+        }
+      }
     }
-    const auto known = [&](const SidedCircle& other) { return is_same(circle, other); };
-    if (std::none_of(obstacles_.begin(), obstacles_.end(), known)) obstacles_.push_back(circle);
+    if (obstacles_.size() > known) settle_obstacles(a, c);
+    return obstacles_.size() > known;
   }
 
-  /// Whether a point lies strictly within a closed polyline, by the even-odd rule.
-  static bool is_inside(const std::vector<Point>& ring, const Point& p) {
+  /// Drops obstacles that count twice, are bends already or lie within others.
+  void settle_obstacles(std::size_t a, std::size_t c) {
+    const auto before = [](const SidedCircle& p, const SidedCircle& q) {
+      if (p.center.x() != q.center.x()) return p.center.x() < q.center.x();
+      if (p.center.y() != q.center.y()) return p.center.y() < q.center.y();
+      return p.radius < q.radius;
+    };
+    std::sort(obstacles_.begin(), obstacles_.end(), before);
+    obstacles_.erase(std::unique(obstacles_.begin(), obstacles_.end(), is_same), obstacles_.end());
+    double largest = 0;
+    for (const SidedCircle& circle : obstacles_) largest = std::max(largest, circle.radius);
+    const auto is_within = [](const SidedCircle& p, const SidedCircle& q) {
+      return p.radius < q.radius && distance(p.center, q.center) <= q.radius - p.radius;
+    };
+    const auto is_idle = [&](const SidedCircle& circle) {
+      for (std::size_t i = a; i != bends_[c].next; i = bends_[i].next) {
+        if (circle.center == bends_[i].circle.center || is_within(circle, bends_[i].circle)) {
+          return true;
+        }
+      }
+      return circle.radius < largest &&
+             std::any_of(obstacles_.begin(), obstacles_.end(),
+                         [&](const SidedCircle& other) { return is_within(circle, other); });
+    };
+    left_.clear();
+    std::copy_if(obstacles_.begin(), obstacles_.end(), std::back_inserter(left_),
+                 [&](const SidedCircle& circle) { return !is_idle(circle); });
+    std::swap(obstacles_, left_);
+  }
+
+  enum class Place { inside, on, outside };
+
+  /// Where a point lies of a closed polyline, by the even-odd rule.
+  static Place place_in(const std::vector<Point>& ring, const Point& p) {
     bool inside = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
-      if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+      const bool crosses = (a.y() > p.y()) != (b.y() > p.y());
+      if (!crosses && !(a.y() == p.y() && b.y() == p.y())) continue;
       const int turn = orientation(a, b, p);
-      if (turn == 0) return false;
-      if ((turn > 0) == (b.y() > a.y())) inside = !inside;
+      if (turn == 0 && Box::around({a, b}).contains(p)) return Place::on;
+      if (crosses && (turn > 0) == (b.y() > a.y())) inside = !inside;
     }
-    return inside;
+    return inside ? Place::inside : Place::outside;
   }
 
-  /// Makes a chain from A to C around the obstacles: always on to the one that asks for the
-  /// smallest turn, and to the nearest of these.
+  /// Makes a chain from A to C around the obstacles: first to what lies farthest to the outer side
+  /// of the straight way, then always on to what asks for the smallest turn, and to the nearest of
+  /// these. A circle that is large may come in more than once.
   bool wrap(std::size_t a, std::size_t c, int side) {
     chain_.circles.clear();
     chain_.ways.clear();
-    left_ = obstacles_;
     SidedCircle from = bends_[a].circle;
-    Point direction = bends_[a].out.direction;
-    while (true) {
+    const auto straight = bitangent(from, bends_[c].circle);
+    Point direction = straight ? straight->direction : bends_[a].out.direction;
+    std::size_t at = obstacles_.size();
+    while (chain_.ways.size() <= 2 * obstacles_.size() + 1) {
+      if (chain_.ways.size() % 16 == 15 && budget_.exceeded()) return false;
       double least = std::numeric_limits<double>::infinity();
       std::optional<Bitangent> best;
-      std::size_t chosen = left_.size();
-      for (std::size_t i = 0; i <= left_.size(); ++i) {
-        const auto way = bitangent(from, i < left_.size() ? left_[i] : bends_[c].circle);
+      std::size_t chosen = obstacles_.size();
+      for (std::size_t i = 0; i <= obstacles_.size(); ++i) {
+        if (i == at && i < obstacles_.size()) continue;
+        const auto way = bitangent(from, i < obstacles_.size() ? obstacles_[i] : bends_[c].circle);
         if (!way) continue;
         double turn = side * deflection(direction, way->direction);
-        if (turn < -1e-6) turn += 2 * std::numbers::pi;
+        const bool is_first = straight && chain_.ways.empty();
+        if (!is_first && turn < -1e-6) turn += 2 * std::numbers::pi;
         if (turn < least - 1e-12 || (turn < least + 1e-12 && way->length < best->length)) {
           least = turn, best = way, chosen = i;
         }
       }
-      if (!best) return false;
+      if (!best || least > std::numbers::pi) return false;
       chain_.ways.push_back(*best);
       direction = best->direction;
-      if (chosen == left_.size()) return true;
-      from = left_[chosen];
+      if (chosen == obstacles_.size()) return true;
+      at = chosen;
+      from = obstacles_[chosen];
       chain_.circles.push_back(from);
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(chosen));
     }
+    return false;
+  }
+
+  /// Whether the chain, on its way from A to C, turns by as much as the string does: with a whole
+  /// turn more or less it would wind around something that the string does not.
+  bool turns_as_before(std::size_t a, std::size_t c, int side) const {
+    double before = 0, after = 0;
+    for (std::size_t i = bends_[a].next; i != c; i = bends_[i].next) {
+      before += bends_[i].is_pin ? deflection(way_to(i).direction, bends_[i].out.direction)
+                                 : bends_[i].turn;
+    }
+    Point direction = bends_[a].out.direction;
+    for (const Bitangent& way : chain_.ways) {
+      after += deflection(direction, way.direction);
+      direction = way.direction;
+    }
+    after += deflection(direction, way_to(c).direction);
+    // A way straight back may count as a turn to either side.
+    const double gap = std::abs(before - after);
+    return gap < 1e-6 || (gap > 2 * std::numbers::pi - 1e-6 && side * before > 0 &&
+                          std::abs(std::abs(before) - std::numbers::pi) < 1e-6);
   }
 
   /// What A and C turn with the chain between them.
@@ -319,9 +364,7 @@ class PulledString {
   template <class Visit>
   void for_each_new_piece(std::size_t a, std::size_t c, Visit visit) const {
     const auto arcs = [&](const SidedCircle& circle, const Point& in, const Point& out,
-                          double turn) {
-      if (distance(in, out) > slack_) for_each_arc(circle, in, out, turn, visit);
-    };
+                          double turn) { for_each_arc(circle, in, out, turn, slack_, visit); };
     for (const Bitangent& way : chain_.ways) visit(Segment{way.from, way.to});
     for (std::size_t i = 0; i < chain_.circles.size(); ++i) {
       const Bitangent &in = chain_.ways[i], &out = chain_.ways[i + 1];
@@ -334,18 +377,31 @@ class PulledString {
     if (!bends_[c].is_pin) grown(c, chain_.ways.back().to, bends_[c].out.from, turn_before(c));
   }
 
-  /// Whether all new pieces are proved; circles that come into one that is not become obstacles.
+  /// Whether all new pieces are proved; the circles that bar one that is not become obstacles.
   bool is_proved(std::size_t a, std::size_t c, int side) {
     bool proved = true;
     for_each_new_piece(a, c, [&](const auto& piece) {
       if (is_proved_free(space_, piece)) return;
       proved = false;
       for_each_circle(piece.box(), side, [&](const SidedCircle& circle) {
-        const Segment core{circle.center, circle.center};
-        if (approach(piece, core).distance < circle.radius - slack_) add_obstacle(circle, a, c);
+        if (bars(circle, piece)) obstacles_.push_back(circle);
       });
     });
+    if (!proved) settle_obstacles(a, c);
     return proved;
+  }
+
+  /// Whether a circle comes into a piece. Circles that are points do not; what blocks the string
+  /// then may be one that it touched all the time.
+  bool bars(const SidedCircle& circle, const Segment& way) const {
+    if (circle.radius == 0) return place_in(swept_, circle.center) == Place::on;
+    const Point along{way.b.x() - way.a.x(), way.b.y() - way.a.y()};
+    const Point across{circle.center.x() - way.a.x(), circle.center.y() - way.a.y()};
+    return circle.side * cross(along, across) >= 0 &&
+           distance(circle.center, way) < circle.radius - slack_;
+  }
+  bool bars(const SidedCircle& circle, const Arc& arc) const {
+    return approach(arc, Segment{circle.center, circle.center}).distance < circle.radius - slack_;
   }
 
   double length_around(std::size_t i, double turn) const {
@@ -385,13 +441,14 @@ class PulledString {
   }
 
   const S& space_;
+  const Budget& budget_;
   double slack_;
   double radius_;  // of the circles around vertices
   std::vector<Bend> bends_;
   std::size_t last_ = 0;
   // Of the pull that is being made.
   std::vector<Point> swept_;
-  std::vector<SidedCircle> obstacles_, left_;
+  std::vector<SidedCircle> obstacles_, near_, left_;
   Chain chain_;
   std::vector<double> turns_;
 };
@@ -413,14 +470,15 @@ class PulledString {
 struct TautString {
   static constexpr std::string_view name = "taut_string";
 
-  /// Errors: `invalid_input` for a curve that is no polyline or not free, `cancelled`.
+  /// Errors: `invalid_input` for a curve that is no polyline or not free, `cancelled`,
+  /// `budget_exhausted` while the route is checked.
   template <FeatureSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     const auto nodes = free_polyline(space, input, budget, "the taut string");
     if (!nodes) return Unexpected{nodes.error()};
     if (nodes->empty()) return input;
-    detail::PulledString<S> string(space, *nodes);
-    if (string.pull(budget) == PlanError::cancelled) {
+    detail::PulledString<S> string(space, *nodes, budget);
+    if (string.pull() == PlanError::cancelled) {
       return fail(PlanError::cancelled, "while pulling a string");
     }
     return string.curve();

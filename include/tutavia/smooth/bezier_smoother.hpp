@@ -59,6 +59,9 @@ struct BezierSmoother {
     }
     // What is left of a piece lies on it but for rounding; where that is too much, the piece stays.
     for (std::size_t i = 0; i < count;) {
+      if (i % 64 == 0) {
+        if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
+      }
       if (is_rest_free(space, input.pieces()[i], corners[i], corners[i + 1])) {
         ++i;
       } else {
@@ -84,7 +87,7 @@ struct BezierSmoother {
   struct Rounding {
     bool is_round = false;
     double from = 1, to = 0;
-    CubicBezier piece{};
+    CubicBezier piece{{Point::Zero(), Point::Zero(), Point::Zero(), Point::Zero()}};
   };
   /// A place on a piece, and the direction of travel there.
   struct Place {

@@ -14,7 +14,6 @@
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/error.hpp"
 #include "tutavia/pull/farthest_in_sight.hpp"
-#include "tutavia/pull/grid_nodes.hpp"
 #include "tutavia/pull/route_check.hpp"
 #include "tutavia/pull/shortcut.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
@@ -63,10 +62,9 @@ struct DeltaSmoother {
   template <CornerSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
-    if (const auto free = free_polyline(space, input, budget, "the delta smoother"); !free) {
-      return Unexpected{free.error()};
-    }
-    auto result = lines_and_arcs(space, joints(split_at_nodes(space, input)), budget);
+    const auto nodes = free_nodes(space, input, budget, "the delta smoother");
+    if (!nodes) return Unexpected{nodes.error()};
+    auto result = lines_and_arcs(space, *nodes, budget);
     if (result && result->length() > input.length()) {
       result = Shortcut{}.smooth(space, input, budget);
     }

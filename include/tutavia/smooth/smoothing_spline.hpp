@@ -116,6 +116,8 @@ class SplineSections {
     const double step = spline.end() / count;
     Point start = section.front(), tangent = spline.derivative(0);
     for (double i = 1; i <= count; ++i) {
+      // Out of time: the halves of the section will find out again, and say so.
+      if (std::fmod(i, 256) == 0 && budget_.exceeded()) return false;
       const double t = i < count ? i * step : spline.end();
       const Point end = i < count ? spline.point(t) : section.back();
       const Point end_tangent = spline.derivative(t);

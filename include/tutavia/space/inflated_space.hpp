@@ -87,6 +87,10 @@ class InflatedSpace {
   explicit InflatedSpace(Workspace workspace);
 
   void add_ring(const Ring& ring, std::uint32_t obstacle, bool is_hole, std::uint32_t& edge);
+  /// Calls `visit(feature)` for the features within `reach` of a piece and for others, some of them
+  /// twice, until it returns false and perhaps a little longer.
+  template <class P, class Visit>
+  void for_each_along(const P& piece, double reach, Visit visit) const;
   /// `nearest`, or any distance below `enough` where there is one.
   template <class P>
   Proximity nearest_or_less(const P& piece, double cap, double enough) const;
@@ -181,9 +185,8 @@ inline bool InflatedSpace::segment_free(const Point& p, const Point& q) const {
   if (distance < blocked) return false;
   bool free = true;
   if (distance < reach) {  // a tie: to be settled exactly
-    edges_.for_each_in(segment.box().inflated(reach), [&](std::uint32_t i) {
-      const Feature& f = features_[i];
-      free = free && keeps_distance(segment, f.core, f.radius, safety_radius(), slack());
+    for_each_along(segment, reach, [&](const Feature& f) {
+      return free = free && keeps_distance(segment, f.core, f.radius, safety_radius(), slack());
     });
   }
   return free && !is_inside(p);
@@ -211,27 +214,30 @@ inline int InflatedSpace::parts_along(const Segment& segment, double reach) cons
   const Box box = segment.box();
   const double inside = density_ * box.width() * box.height();
   const double parts = std::sqrt(inside / (20 + 4 * density_ * reach * reach));
-  return parts < 2 ? 1 : static_cast<int>(std::fmin(parts, 64));
+  return parts >= 2 ? static_cast<int>(std::fmin(parts, 64)) : 1;  // 1 for NaN, too
+}
+
+template <class P, class Visit>
+void InflatedSpace::for_each_along(const P& piece, double reach, Visit visit) const {
+  bool go_on = true;
+  const auto look_in = [&](const Box& part) {
+    edges_.for_each_in(part.inflated(reach), [&](std::uint32_t i) { go_on = visit(features_[i]); });
+  };
+  // The box of a long slanted segment holds much that is far from it: boxes of its parts do not.
+  const int parts = parts_along(piece, reach);
+  if (parts == 1) return look_in(piece.box());
+  for (int k = 0; k < parts && go_on; ++k) {
+    look_in(Box::around({piece.point(double(k) / parts), piece.point((k + 1.0) / parts)}));
+  }
 }
 
 template <class P>
 Proximity InflatedSpace::nearest_or_less(const P& piece, double cap, double enough) const {
-  const Box box = piece.box();
   const double first_reach = safety_radius() + (bounds().width() + bounds().height()) / 64;
   return nearest_feature(piece, cap, first_reach, extent_, [&](double reach, auto visit) {
-    double least = reach;
-    const auto look_in = [&](const Box& part) {
-      edges_.for_each_in(part.inflated(reach), [&](std::uint32_t i) {
-        const Feature& f = features_[i];
-        least = visit(f.core, f.radius, f.obstacle, f.edge);
-      });
-    };
-    // The box of a long slanted segment holds much that is far from it: boxes of its parts do not.
-    const int parts = parts_along(piece, reach);
-    if (parts == 1) return look_in(box);
-    for (int k = 0; k < parts && least >= enough; ++k) {
-      look_in(Box::around({piece.point(double(k) / parts), piece.point((k + 1.0) / parts)}));
-    }
+    for_each_along(piece, reach, [&](const Feature& f) {
+      return visit(f.core, f.radius, f.obstacle, f.edge) >= enough;
+    });
   });
 }
 
