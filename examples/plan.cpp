@@ -309,6 +309,10 @@ template <class S>
 Group run(const S& space, const Scene& scene, const Arguments& args, const AnySearch<S>& search,
           const AnySmoother<S>& smoother) {
   Planner planner(search, smoother);
+  // On workspaces results say how much longer they are than the shortest path.
+  if constexpr (requires { space.workspace(); }) {
+    planner.report_optimum(args.compare || !args.json.empty());
+  }
   Group results;
   for (const Point& goal : scene.goals) {
     Query query{.start = scene.start, .goal = goal, .seed = args.seed};
@@ -370,9 +374,17 @@ struct Summary {
   double min_clearance = std::numeric_limits<double>::infinity();
   double mean_clearance = 0;  ///< mean over the goals
   double search_us = 0, smooth_us = 0, certify_us = 0;
-  std::size_t turns = 0, evaluations = 0, fell_back = 0;
+  double optimum = 0;  ///< lengths of the shortest paths there are
+  std::size_t turns = 0, evaluations = 0, fell_back = 0, with_optimum = 0;
   std::uint64_t expanded = 0;
 
+  /// The ratio to the shortest paths there are, where they are known.
+  std::string over_optimum() const {
+    if (planned == 0 || with_optimum < planned) return "-";
+    std::array<char, 32> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.4f", optimum > 0 ? length / optimum : 1);
+    return buffer.data();
+  }
   std::string share_planned() const {
     return std::to_string(planned) + "/" + std::to_string(goals);
   }
@@ -398,6 +410,10 @@ Summary summary_of(const Group& group) {
     sum.evaluations += result.plan->certificate.evaluations;
     sum.fell_back += result.plan->fell_back ? 1 : 0;
     sum.expanded += s.expanded;
+    if (result.plan->optimum) {
+      ++sum.with_optimum;
+      sum.optimum += result.plan->optimum->length;
+    }
   }
   if (sum.planned > 0) sum.mean_clearance /= static_cast<double>(sum.planned);
   return sum;
@@ -405,15 +421,15 @@ Summary summary_of(const Group& group) {
 
 /// One row per search, figures added up over all goals.
 void print_searches(std::span<const Group> groups) {
-  std::printf("%-20s %9s %10s %6s %9s %10s %10s %10s %9s\n", "search", "planned", "length m",
-              "turns", "angle deg", "max curv.", "clear >= m", "expanded", "ms");
+  std::printf("%-20s %9s %10s %6s %9s %10s %10s %10s %9s %10s\n", "search", "planned", "length m",
+              "turns", "angle deg", "max curv.", "clear >= m", "expanded", "ms", "/ optimum");
   for (const Group& group : groups) {
     const Summary s = summary_of(group);
-    std::printf("%-20s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f\n",
+    std::printf("%-20s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f %10s\n",
                 group.front().header.search.c_str(), s.share_planned().c_str(), s.length, s.turns,
                 degrees(s.angle), s.max_curvature, s.min_clearance,
                 static_cast<unsigned long long>(s.expanded),
-                (s.search_us + s.smooth_us + s.certify_us) / 1000);
+                (s.search_us + s.smooth_us + s.certify_us) / 1000, s.over_optimum().c_str());
   }
 }
 
@@ -433,18 +449,18 @@ double taut_length(const S& space, const Group& group) {
 /// of a route may come out shorter than its taut string.
 template <class S>
 void print_smoothers(const S& space, std::span<const Group> groups) {
-  std::printf("%-22s %7s %10s %8s %13s %9s %9s %10s %12s %10s %8s\n", "smoother", "planned",
+  std::printf("%-22s %7s %10s %8s %13s %9s %9s %10s %12s %10s %8s %10s\n", "smoother", "planned",
               "length m", "/ taut", "max curv. 1/m", "angle deg", "joint deg", "clear >= m",
-              "clear mean m", "us", "proofs");
+              "clear mean m", "us", "proofs", "/ optimum");
   for (const Group& group : groups) {
     const Summary s = summary_of(group);
     std::printf("%-22s %7s", group.front().header.smoother.c_str(), s.share_planned().c_str());
     if (s.planned > 0) {
       const double taut = taut_length(space, group);
-      std::printf(" %10.4f %8.4f %13.4f %9.2f %9.2f %10.4f %12.4f %10.1f %8zu", s.length,
+      std::printf(" %10.4f %8.4f %13.4f %9.2f %9.2f %10.4f %12.4f %10.1f %8zu %10s", s.length,
                   s.length == taut ? 1 : s.length / taut, s.max_curvature, degrees(s.angle),
                   degrees(s.max_joint_deflection), s.min_clearance, s.mean_clearance, s.smooth_us,
-                  s.evaluations);
+                  s.evaluations, s.over_optimum().c_str());
     }
     if (s.fell_back > 0) std::printf("  (%zu fell back to the route)", s.fell_back);
     std::printf("\n");

@@ -28,6 +28,7 @@
 #include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
+#include "tutavia/smooth/homotopy_refine.hpp"
 #include "tutavia/smooth/no_smoothing.hpp"
 #include "tutavia/smooth/smoothing_spline.hpp"
 #include "tutavia/smooth/two_stage_b_spline.hpp"
@@ -139,6 +140,9 @@ std::vector<AnySmoother<S>> all_smoothers() {
                                   erase_smoother<S>(SmoothingSpline{}),
                                   erase_smoother<S>(TwoStageBSpline{}),
                                   erase_smoother<S>(TautString{})};
+  if constexpr (requires(const S& s) { s.workspace(); }) {
+    all.push_back(erase_smoother<S>(HomotopyRefine{}));
+  }
   if constexpr (Smoother<StringPull, S>) all.push_back(erase_smoother<S>(StringPull{}));
   return all;
 }

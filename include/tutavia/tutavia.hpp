@@ -98,6 +98,7 @@
 #include "tutavia/smooth/corner_spline.hpp"
 #include "tutavia/smooth/critical_corners.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
+#include "tutavia/smooth/homotopy_refine.hpp"
 #include "tutavia/smooth/no_smoothing.hpp"
 #include "tutavia/smooth/pipeline.hpp"
 #include "tutavia/smooth/smoothing_spline.hpp"

@@ -190,7 +190,9 @@ TEST_CASE("--compare sets all smoothers against the taut strings of the same rou
       INFO(map << ", " << smoother);
       REQUIRE(figures.size() >= 10);
       CHECK(figures[planned] == "4/4");
-      CHECK(std::stod(figures[over_taut]) >= 0.999);
+      // Only what may go over to the other side of an obstacle can be shorter.
+      if (smoother != "homotopy_refine") CHECK(std::stod(figures[over_taut]) >= 0.999);
+      CHECK(std::stod(figures.back()) >= 0.9999);  // never than the optimum
       CHECK(std::stod(figures[min_clearance]) >= 0.3);
       CHECK(std::stod(figures[mean_clearance]) > std::stod(figures[min_clearance]));
       CHECK(std::stoul(figures[proofs]) > 0);

@@ -61,6 +61,24 @@ TEST_CASE("a plan's numbers read back to the same doubles") {
   }
 }
 
+TEST_CASE("the optimum is written where the planner reports it") {
+  const Scene scene = maps::complex();
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
+  Planner planner{AStar{}, DeltaSmoother{}};
+  const Query query{.start = scene.start, .goal = scene.goals[1]};
+  const auto written = [&] {
+    const auto entry =
+        result_to_json(header(scene, query.goal), planner.plan(space, query).value());
+    return Json::parse(entry.dump());
+  };
+  CHECK_FALSE(written().contains("optimum"));
+  planner.report_optimum(true);
+  const Json json = written();
+  const double length = json["optimum"]["length"].get<double>();
+  CHECK(length > 12.5);
+  CHECK(json["optimum"]["ratio"].get<double>() == json["metrics"]["length"].get<double>() / length);
+}
+
 TEST_CASE("a failure is written with its code, its detail and the clearance") {
   const Scene scene = maps::maze();
   const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();

@@ -92,6 +92,9 @@ inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const P
   json["certificate"] = {
       {"status", to_string(c.status)},     {"lower", c.lower}, {"upper", c.upper},
       {"point", detail::to_json(c.point)}, {"piece", c.piece}, {"parameter", c.parameter}};
+  if (plan.optimum) {
+    json["optimum"] = {{"length", plan.optimum->length}, {"ratio", plan.optimum->ratio}};
+  }
   json["stats"] = detail::to_json(plan.stats);
   return json;
 }

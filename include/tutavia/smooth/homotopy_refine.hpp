@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/pull/route_check.hpp"
+#include "tutavia/search/tangent_graph.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// HomotopyRefine: a shorter way on the other side of an obstacle.
+
+namespace tutavia {
+
+/// Replaces a curve by the shortest path of all where that is shorter: what a taut string cannot
+/// find, because it keeps the obstacles on the sides that the route had them on. A search of the
+/// tangent graph, bounded by the curve's own length.
+///
+/// Guarantees: the ends are exact, the result is the input or a proved path that is shorter. When
+/// the search runs out of time or expansions, and at safety radius 0, the result is the input.
+struct HomotopyRefine {
+  static constexpr std::string_view name = "homotopy_refine";
+
+  /// How far the search may go.
+  std::uint64_t max_expansions = std::numeric_limits<std::uint64_t>::max();
+
+  /// Errors: `invalid_input` for a curve that is not free, `cancelled`, `budget_exhausted` while
+  /// the curve is checked.
+  template <FeatureSpace S>
+  Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
+    if (const auto free = check_free(space, input, budget); !free) return Unexpected{free.error()};
+    if (input.empty() || !(space.safety_radius() > 0)) return input;
+    Query query{.start = input.start(), .goal = input.end(), .budget = budget};
+    query.budget.max_expansions = std::min(budget.max_expansions, max_expansions);
+    TangentGraph::Scratch scratch;
+    NoObserver nobody;
+    auto route = TangentGraph{.bound = input.length()}.search(space, query, scratch, nobody);
+    if (route && route->curve.length() < input.length()) return std::move(route->curve);
+    if (!route && route.error().code == PlanError::cancelled) return Unexpected{route.error()};
+    return input;
+  }
+};
+
+}  // namespace tutavia
