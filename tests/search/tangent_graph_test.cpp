@@ -30,6 +30,29 @@ Expected<Route, Failure> search(const InflatedSpace& space, const Query& query,
   return graph.search(space, query, scratch, nobody);
 }
 
+TEST_CASE("ways of a prepared map are proved tangents, each also the other way round") {
+  const Scene scene = maps::complex();
+  const auto space = InflatedSpace::build(scene.workspace).value();
+  const TangentMap map = TangentMap::prepare(space).value();
+  CHECK_FALSE(TangentMap(space).is_prepared());
+  CHECK(map.memory() > TangentMap(space).memory());
+  std::size_t ways = 0;
+  for (TangentMap::Node from = 0; from < map.nodes(); ++from) {
+    for (const TangentMap::Node to : map.ways(from)) {
+      ++ways;
+      const auto way = bitangent(map.circle(from), map.circle(to));
+      REQUIRE(way);
+      CHECK(is_proved_free(space, Segment{way->from, way->to}));
+      const auto back = map.ways(to ^ 1u);
+      CHECK(std::find(back.begin(), back.end(), from ^ 1u) != back.end());
+    }
+  }
+  CHECK(ways > 100);
+  Scene other = maps::maze();
+  CHECK_FALSE(map.matches(InflatedSpace::build(other.workspace).value()));
+  CHECK_FALSE(TangentMap::prepare(space, Budget::for_seconds(-1)));
+}
+
 TEST_CASE("TangentGraph keeps the searcher contract") { test::searcher_contract(TangentGraph{}); }
 
 /// The shortest path by trying everything: all circles, all ways between them, all arcs, no cones
@@ -130,6 +153,8 @@ TEST_CASE("the tangent graph's paths are those of trying everything", "[soak]") 
       ++none;
       CHECK(route.error().code == PlanError::unreachable);
       CHECK(expected == std::numeric_limits<double>::infinity());
+      const TangentGraph prepared{.tangents = TangentGraph::prepare(space).value()};
+      CHECK_FALSE(search(space, {.start = start, .goal = goal}, prepared));
       continue;
     }
     ++paths;
@@ -140,6 +165,10 @@ TEST_CASE("the tangent graph's paths are those of trying everything", "[soak]") 
     CHECK(certify(space, route->curve).status == ProofStatus::proved);
     CHECK(test::largest_corner(route->curve) < 1e-6);
     CHECK(search(space, {.start = goal, .goal = start})->cost == Approx(route->cost).epsilon(1e-9));
+    const TangentGraph prepared{.tangents = TangentGraph::prepare(space).value()};
+    CHECK(prepared.tangents->matches(space));
+    CHECK(search(space, {.start = start, .goal = goal}, prepared)->cost ==
+          Approx(route->cost).epsilon(1e-12));
     // A bound above the length changes nothing, one below leaves no path.
     const TangentGraph wide{.bound = route->cost * (1 + 1e-9)};
     CHECK(search(space, {.start = start, .goal = goal}, wide)->cost ==
@@ -242,6 +271,8 @@ TEST_CASE("bad bounds, radius 0 and bad ends are refused") {
   };
   CHECK(code(search(space, across, {.bound = std::nan("")})) == PlanError::invalid_option);
   CHECK(code(search(space_with({}, 0), across)) == PlanError::invalid_option);
+  const auto unprepared = std::make_shared<const TangentMap>(space);
+  CHECK(code(search(space, across, {.tangents = unprepared})) == PlanError::invalid_option);
   CHECK(code(search(space, {.start = {0, 1}, .goal = {4, 0}})) == PlanError::start_blocked);
   CHECK(code(search(space, {.start = {4, 0}, .goal = {99, 0}})) == PlanError::goal_out_of_bounds);
   CHECK(search(space, {.start = {4, 0}, .goal = {4, 0}})->cost == 0);

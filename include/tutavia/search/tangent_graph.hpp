@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -18,6 +19,7 @@
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/route.hpp"
+#include "tutavia/search/tangent_map.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -25,87 +27,13 @@
 
 namespace tutavia {
 
-namespace detail {
-
-/// An obstacle vertex or a disc, and what keeps a path from touching its circle everywhere: the
-/// edges that begin at the vertex.
-struct TangentCircle {
-  Point center;
-  double radius;
-  std::uint32_t first_edge, last_edge;  // directions of edges, in a list of all
-};
-
-/// The circles of a space, none twice.
-class TangentCircles {
- public:
-  template <FeatureSpace S>
-  explicit TangentCircles(const S& space) {
-    struct End {
-      Point vertex, direction;
-      double radius;
-    };
-    std::vector<End> ends;
-    const double margin = 4 * space.slack();
-    space.for_each_feature(space.bounds().inflated(2 * space.safety_radius()),
-                           [&](const Segment& core, double radius) {
-                             const double grown = radius + space.safety_radius() + margin;
-                             const Point d = core.b - core.a;
-                             const double length = d.norm();
-                             const Point unit = length > 0 ? Point(d / length) : d;
-                             ends.push_back({core.a, unit, grown});
-                             if (length > 0) ends.push_back({core.b, -unit, grown});
-                           });
-    const auto before = [](const End& a, const End& b) {
-      if (a.vertex.x() != b.vertex.x()) return a.vertex.x() < b.vertex.x();
-      if (a.vertex.y() != b.vertex.y()) return a.vertex.y() < b.vertex.y();
-      return a.radius < b.radius;
-    };
-    std::stable_sort(ends.begin(), ends.end(), before);
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const bool is_new = i == 0 || before(ends[i - 1], ends[i]);
-      const auto edge = static_cast<std::uint32_t>(edges_.size());
-      if (is_new) circles_.push_back({ends[i].vertex, ends[i].radius, edge, edge});
-      if (is_null(ends[i].direction)) continue;
-      edges_.push_back(ends[i].direction);
-      circles_.back().last_edge = edge + 1;
-    }
-  }
-
-  const std::vector<TangentCircle>& all() const { return circles_; }
-
-  /// A quick look that refuses most ways that `touches` would refuse, none else: for a way between
-  /// circles whose centres lie `between` apart and their radii add up to `radii`.
-  bool may_touch(const TangentCircle& circle, int side, const Point& between, double radii) const {
-    // A way turns from the line of the centres by an angle of which the sine is radii / distance at
-    // most.
-    for (std::uint32_t e = circle.first_edge; e < circle.last_edge; ++e) {
-      if (side * cross(edges_[e], between) > 1.25 * radii) return false;
-    }
-    return true;
-  }
-
-  /// Whether a circle's point in the direction `normal` is none that an edge of its vertex comes
-  /// nearer to.
-  bool touches(const TangentCircle& circle, const Point& normal) const {
-    for (std::uint32_t e = circle.first_edge; e < circle.last_edge; ++e) {
-      if (normal.dot(edges_[e]) > 1e-9) return false;
-    }
-    return true;
-  }
-
- private:
-  std::vector<TangentCircle> circles_;
-  std::vector<Point> edges_;
-};
-
-}  // namespace detail
-
 /// What a tangent search keeps between queries: memory.
 class TangentScratch {
  public:
   struct Entry {
     double key;
     std::uint32_t sequence, parent, node;
+    bool is_proved;                                          // the way, not the arc before it
     friend bool operator<(const Entry& a, const Entry& b) {  // for std::push_heap: worse < better
       return a.key != b.key ? a.key > b.key : a.sequence > b.sequence;
     }
@@ -131,20 +59,33 @@ class TangentScratch {
 /// to the next: they are made when a way before them is expanded, and proved when their turn comes.
 /// Polygons may have holes, touch, overlap, lie in one another or have no area. The route is
 /// smooth and lies in free space. For n vertices of which m ways are expanded, O(m n) of them are
-/// looked at.
+/// looked at; with prepared tangents only those that ways lead to.
 ///
 /// Source: Pocchiola and Vegter 1996, "The visibility complex" (the graph of tangents); Hart,
 /// Nilsson and Raphael 1968 (A*).
 struct TangentGraph {
   static constexpr std::string_view name = "tangent_graph";
   using Scratch = TangentScratch;
+  using Prepared = TangentMap;
 
   /// Paths longer than this are not looked for [m].
   double bound = std::numeric_limits<double>::infinity();
+  /// Of the space, for many queries on it; none: tangents are found as they are wanted.
+  std::shared_ptr<const TangentMap> tangents{};
 
-  /// Errors: `invalid_option` for a bound that is not a number and at safety radius 0, where
-  /// obstacles may not be touched; what is wrong with start or goal; `unreachable`, also when there
-  /// is no path within the bound; what the budget says.
+  /// The tangents of a space. Errors: those of `TangentMap::prepare`.
+  template <FeatureSpace S>
+  static Expected<std::shared_ptr<const TangentMap>, Failure> prepare(const S& space,
+                                                                      const Budget& budget = {}) {
+    auto map = TangentMap::prepare(space, budget);
+    if (!map) return Unexpected{std::move(map.error())};
+    return std::make_shared<const TangentMap>(std::move(*map));
+  }
+
+  /// Errors: `invalid_option` for a bound that is not a number, for tangents that are not prepared
+  /// and at safety radius 0, where obstacles may not be touched (tangents of another space are not
+  /// noticed: see `TangentMap::matches`); what is wrong with start or goal; `unreachable`, also
+  /// when there is no path within the bound; what the budget says.
   template <FeatureSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const;
@@ -155,20 +96,20 @@ namespace detail {
 template <class S, class O>
 class TangentSearch {
  public:
-  TangentSearch(const S& space, const Query& query, double bound, TangentScratch& scratch,
-                O& observer, Statistics& stats)
+  TangentSearch(const S& space, const TangentMap& map, const Query& query, double bound,
+                TangentScratch& scratch, O& observer, Statistics& stats)
       : space_(space),
+        map_(map),
         query_(query),
         bound_(bound),
         scratch_(scratch),
         observer_(observer),
-        stats_(stats),
-        circles_(space) {}
+        stats_(stats) {}
 
   std::optional<Failure> run() {
     scratch_.open.clear();
     scratch_.arrivals.clear();
-    scratch_.first.assign(2 * circles_.all().size() + 1, none);
+    scratch_.first.assign(map_.nodes() + std::size_t{1}, none);
     scratch_.arrivals.push_back(
         {{query_.start, query_.start, Point::Zero(), 0}, 0, none, none, none, 0});
     if (auto failure = exceeded(query_.budget, 0)) return failure;
@@ -210,22 +151,17 @@ class TangentSearch {
   }
 
  private:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  static constexpr TangentMap::Node none = TangentMap::none;
 
-  std::uint32_t goal_node() const { return static_cast<std::uint32_t>(2 * circles_.all().size()); }
-  /// Nodes: every circle passed on its left (even) and on its right, and the goal.
-  SidedCircle circle_of(std::uint32_t node) const {
+  /// The goal is a node more; the start has none.
+  TangentMap::Node goal_node() const { return map_.nodes(); }
+  SidedCircle circle_of(TangentMap::Node node) const {
     if (node == none) return {query_.start, 0, 1};
     if (node == goal_node()) return {query_.goal, 0, 1};
-    const TangentCircle& circle = circles_.all()[node / 2];
-    return {circle.center, circle.radius, node % 2 == 0 ? 1 : -1};
+    return map_.circle(node);
   }
-  /// Whether a path may touch a node's circle while it runs in this direction.
-  bool touches(std::uint32_t node, const Point& direction) const {
-    if (node == none || node == goal_node()) return true;
-    const double side = node % 2 == 0 ? -1 : 1;
-    return circles_.touches(circles_.all()[node / 2],
-                            {-side * direction.y(), side * direction.x()});
+  bool touches(TangentMap::Node node, const Point& direction) const {
+    return node == none || node == goal_node() || map_.touches(node, direction);
   }
   /// The turn around a circle from one direction to another, in [0, 2 pi).
   static double turn_between(const SidedCircle& circle, const Point& from, const Point& to) {
@@ -253,33 +189,23 @@ class TangentSearch {
     const TangentScratch::Arrival from = scratch_.arrivals[index];
     ++stats_.expanded;
     observer_.expanded(from.way.to);
-    const SidedCircle at = circle_of(from.node);
-    const auto& all = circles_.all();
-    for (std::uint32_t i = 0; i < all.size(); ++i) {
-      const Point between{all[i].center.x() - at.center.x(), all[i].center.y() - at.center.y()};
-      const double radii = all[i].radius + at.radius;
-      const bool is_near = between.squaredNorm() < 16 * radii * radii;
-      if (!is_near && from.node != none &&
-          !circles_.may_touch(all[from.node / 2], at.side, between, radii)) {
-        continue;
-      }
-      for (const int side : {1, -1}) {
-        if (is_near || circles_.may_touch(all[i], side, between, radii)) {
-          generate(index, from, 2 * i + (side > 0 ? 0 : 1));
-        }
-      }
+    if (from.node != none && map_.is_prepared()) {
+      for (const TangentMap::Node node : map_.ways(from.node)) generate(index, from, node, true);
+    } else {
+      map_.for_each_candidate(circle_of(from.node), from.node,
+                              [&](TangentMap::Node node) { generate(index, from, node, false); });
     }
-    generate(index, from, goal_node());
+    generate(index, from, goal_node(), false);
   }
 
   /// Puts a way on from an arrival into the open list.
-  void generate(std::uint32_t index, const TangentScratch::Arrival& from, std::uint32_t node) {
-    if (node == from.node) return;
+  void generate(std::uint32_t index, const TangentScratch::Arrival& from, TangentMap::Node node,
+                bool is_proved) {
     const auto next = step(from, node);
     if (!next) return;
     const double key = next->cost + distance(next->way.to, query_.goal);
     if (key > bound_) return;
-    scratch_.open.push_back({key, sequence_++, index, node});
+    scratch_.open.push_back({key, sequence_++, index, node, is_proved});
     std::push_heap(scratch_.open.begin(), scratch_.open.end());
     ++stats_.generated;
     observer_.generated(next->way.to);
@@ -310,7 +236,9 @@ class TangentSearch {
     const TangentScratch::Arrival from = scratch_.arrivals[entry.parent];
     const Step next = *step(from, entry.node);
     if (is_dominated(entry.node, next)) return false;
-    if (!is_proved_free(space_, Segment{next.way.from, next.way.to})) return false;
+    if (!entry.is_proved && !is_proved_free(space_, Segment{next.way.from, next.way.to})) {
+      return false;
+    }
     const SidedCircle circle = circle_of(from.node);
     if (!is_arc_free(circle, from.way.to, next.way.from, next.turn)) return false;
     const auto index = static_cast<std::uint32_t>(scratch_.arrivals.size());
@@ -321,12 +249,12 @@ class TangentSearch {
   }
 
   const S& space_;
+  const TangentMap& map_;
   const Query& query_;
   double bound_;
   TangentScratch& scratch_;
   O& observer_;
   Statistics& stats_;
-  TangentCircles circles_;
   std::uint32_t sequence_ = 0;
 };
 
@@ -345,7 +273,13 @@ Expected<Route, Failure> TangentGraph::search(const S& space, const Query& query
     route.curve.push_back(Segment{query.start, query.goal});
     return route;
   }
-  detail::TangentSearch<S, O> search(space, query, bound, scratch, observer, route.stats);
+  if (tangents != nullptr && !tangents->is_prepared()) {
+    return fail(PlanError::invalid_option, "tangents must be prepared");
+  }
+  const std::optional<TangentMap> own =
+      tangents == nullptr ? std::optional<TangentMap>(TangentMap(space)) : std::nullopt;
+  const TangentMap& map = own ? *own : *tangents;
+  detail::TangentSearch<S, O> search(space, map, query, bound, scratch, observer, route.stats);
   if (auto failure = search.run()) {
     failure->stats = route.stats;
     return Unexpected{std::move(*failure)};

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// The shortest path of a disc among polygons: its time, without and with prepared tangents, beside
+/// A* on a lattice, and how much longer other paths are.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "map_benchmark.hpp"
+#include "polygon_worlds.hpp"
+#include "tutavia/certify/certify.hpp"
+#include "tutavia/pull/shortcut.hpp"
+#include "tutavia/pull/taut_string.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/search/tangent_graph.hpp"
+#include "tutavia/search/theta_star.hpp"
+#include "tutavia/smooth/homotopy_refine.hpp"
+#include "tutavia/space/lattice_space.hpp"
+
+namespace {
+
+using namespace tutavia;
+using map_benchmark::Clock;
+using map_benchmark::micros_since;
+using map_benchmark::UsageError;
+using map_benchmark::value_or_throw;
+
+struct Arguments {
+  std::vector<std::size_t> polygons{16, 100, 300, 1000};
+  std::size_t worlds = 20, rounds = 3;
+  std::uint64_t seed = 1;
+  std::string csv;
+};
+
+const std::vector<std::string> kinds{"astar",       "astar+shortcut",   "theta_star",
+                                     "taut(astar)", "taut(theta_star)", "taut+homotopy_refine"};
+
+/// Sums over the worlds with one number of polygons.
+struct Row {
+  std::size_t polygons = 0, worlds = 0, wrong = 0;
+  double astar_us = 0, optimum_us = 0, prepared_us = 0, prepare_ms = 0, expanded = 0;
+  double slowest_us = 0, slowest_prepared_us = 0;
+  std::vector<double> ratios = std::vector<double>(kinds.size(), 0.0);
+
+  double mean(double sum) const { return sum / static_cast<double>(worlds); }
+};
+
+/// The least time over the rounds, and the last answer.
+template <class Run>
+auto timed(std::size_t rounds, double& micros, const Run& run) {
+  auto result = run();
+  micros = std::numeric_limits<double>::infinity();
+  for (std::size_t round = 0; round < rounds; ++round) {
+    const auto begin = Clock::now();
+    result = run();
+    micros = std::min(micros, micros_since(begin));
+  }
+  return result;
+}
+
+/// False where A* has no route.
+bool run_world(const Scene& scene, std::size_t rounds, Row& row) {
+  const LatticeSpace space =
+      value_or_throw(LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}));
+  const Query query{.start = scene.start, .goal = scene.goals[0]};
+  NoObserver nobody;
+  AStar::Scratch astar;
+  double astar_us = 0, optimum_us = 0, prepared_us = 0;
+  const auto route =
+      timed(rounds, astar_us, [&] { return AStar{}.search(space, query, astar, nobody); });
+  if (!route) return false;
+  TangentScratch scratch;
+  const auto optimum = timed(rounds, optimum_us,
+                             [&] { return TangentGraph{}.search(space, query, scratch, nobody); });
+  if (!optimum) throw UsageError{"the tangent graph found no path"};
+  const auto begin = Clock::now();
+  const TangentGraph prepared{.tangents = value_or_throw(TangentGraph::prepare(space))};
+  row.prepare_ms += micros_since(begin) / 1000;
+  const auto again =
+      timed(rounds, prepared_us, [&] { return prepared.search(space, query, scratch, nobody); });
+
+  const double length = optimum->curve.length();
+  const bool is_proved = certify(space, optimum->curve).status == ProofStatus::proved;
+  if (!is_proved || !again || std::abs(again->cost - length) > 1e-9 * length) ++row.wrong;
+  ThetaScratch theta;
+  const Curve at_angles = value_or_throw(ThetaStar{}.search(space, query, theta, nobody)).curve;
+  const Curve taut = value_or_throw(TautString{}.smooth(space, route->curve, {}));
+  const Curve curves[] = {route->curve,
+                          value_or_throw(Shortcut{}.smooth(space, route->curve, {})),
+                          at_angles,
+                          taut,
+                          value_or_throw(TautString{}.smooth(space, at_angles, {})),
+                          value_or_throw(HomotopyRefine{}.smooth(space, taut, {}))};
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    row.ratios[k] += curves[k].length() / length;
+    if (curves[k].length() < length * (1 - 1e-9)) ++row.wrong;
+  }
+  ++row.worlds;
+  row.astar_us += astar_us;
+  row.optimum_us += optimum_us;
+  row.prepared_us += prepared_us;
+  row.slowest_us = std::max(row.slowest_us, optimum_us);
+  row.slowest_prepared_us = std::max(row.slowest_prepared_us, prepared_us);
+  row.expanded += static_cast<double>(optimum->stats.expanded);
+  return true;
+}
+
+int run(const Arguments& args) {
+  std::printf("100 x 100 m, lattice 0.25 m, worlds from seed %llu on\n",
+              static_cast<unsigned long long>(args.seed));
+  std::string csv =
+      "polygons,worlds,astar_us,optimum_us,slowest_us,prepared_us,slowest_prepared_us,prepare_ms,"
+      "expanded,wrong";
+  for (const std::string& kind : kinds) csv += "," + kind;
+  csv += '\n';
+  bool good = true;
+  for (const std::size_t polygons : args.polygons) {
+    Row row;
+    row.polygons = polygons;
+    for (std::uint64_t seed = args.seed; row.worlds < args.worlds; ++seed) {
+      if (seed > args.seed + 100 * args.worlds) throw UsageError{"too few worlds have a route"};
+      run_world(polygon_worlds::make(polygons, seed), args.rounds, row);
+    }
+    std::printf(
+        "%zu polygons: A* %.1f us, optimum %.1f us (%.2f x A*, slowest %.1f us), prepared %.1f us "
+        "(%.2f x A*, slowest %.1f us; prepared in %.1f ms), %.0f expansions, %zu wrong\n",
+        polygons, row.mean(row.astar_us), row.mean(row.optimum_us), row.optimum_us / row.astar_us,
+        row.slowest_us, row.mean(row.prepared_us), row.prepared_us / row.astar_us,
+        row.slowest_prepared_us, row.mean(row.prepare_ms), row.mean(row.expanded), row.wrong);
+    std::printf("  length / optimum:");
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      std::printf(" %s %.5f", kinds[k].c_str(), row.mean(row.ratios[k]));
+    }
+    std::puts("");
+    std::fflush(stdout);
+    char line[256];
+    std::snprintf(line, sizeof line, "%zu,%zu,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f,%zu", polygons,
+                  row.worlds, row.mean(row.astar_us), row.mean(row.optimum_us), row.slowest_us,
+                  row.mean(row.prepared_us), row.slowest_prepared_us, row.mean(row.prepare_ms),
+                  row.mean(row.expanded), row.wrong);
+    csv += line;
+    for (const double ratio : row.ratios) {
+      std::snprintf(line, sizeof line, ",%.7f", row.mean(ratio));
+      csv += line;
+    }
+    csv += '\n';
+    good = good && row.wrong == 0;
+  }
+  if (!args.csv.empty()) {
+    if (const auto written = write_file(args.csv, csv); !written) {
+      throw UsageError{written.error().detail};
+    }
+  }
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments args;
+  CLI::App app("The shortest path of a disc among polygons, beside other paths");
+  app.add_option("--polygons", args.polygons, "Numbers of polygons")
+      ->delimiter(',')
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
+  app.add_option("--worlds", args.worlds, "Worlds per number of polygons")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--rounds", args.rounds, "Least time over so many rounds")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", args.seed, "Of the first world")->capture_default_str();
+  app.add_option("--csv", args.csv, "Write the figures to a file");
+  try {
+    app.parse(argc, argv);
+    return run(args);
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "tutavia-bench-optimum: " << error.what() << '\n';
+  } catch (const UsageError& error) {
+    std::cerr << "tutavia-bench-optimum: " << error.message << '\n';
+  }
+  return 2;
+}
