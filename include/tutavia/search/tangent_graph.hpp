@@ -57,7 +57,8 @@ class TangentScratch {
 /// Such a path is made of straight ways that touch circles of the safety radius around obstacle
 /// vertices (around discs: larger ones) and of arcs of these circles. A* over these ways, from one
 /// to the next: they are made when a way before them is expanded, and proved when their turn comes.
-/// Polygons may have holes, touch, overlap, lie in one another or have no area. The route is
+/// Polygons may have holes, touch, overlap, lie in one another or have no area. A gap of twice the
+/// radius, within the same rounding errors, counts as closed. The route is
 /// smooth and lies in free space. For n vertices of which m ways are expanded, O(m n) of them are
 /// looked at; with prepared tangents only those that ways lead to.
 ///

@@ -29,8 +29,8 @@ namespace tutavia {
 /// exact, the new pieces and what is left of the others are proved at the space's safety radius,
 /// and the result is never longer than its input. O(n) for n corners.
 ///
-/// Source: the JPS_Theta* paper, equations (12) to (17); where the control points lie it does not
-/// say, see docs/algorithms.md.
+/// Source: Yang et al., "Improved A* based on fused Theta*", equations (12) to (17); where the
+/// control points lie it does not say, see docs/algorithms.md.
 struct BezierSmoother {
   static constexpr std::string_view name = "bezier";
 

@@ -35,8 +35,8 @@ namespace tutavia {
 /// moves each node by at most 1 / (a + b) cells and so lengthens each leg by at most twice that:
 /// the result may be longer than its input by no more.
 ///
-/// Source: the SSA-A* paper, sections 11.2 and 11.3 of docs/algorithms.md, equations (10) to (20);
-/// it gives no values for a, b, c and d0.
+/// Source: Zhou, Shang, Wang, Zuo 2025, Appl. Sci. 15(10) 5583 (SSA), equations (10) to (20),
+/// algorithms 2 and 3; it gives no values for a, b, c and d0. See docs/algorithms.md.
 struct TwoStageBSpline {
   static constexpr std::string_view name = "two_stage_b_spline";
 
