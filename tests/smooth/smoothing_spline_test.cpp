@@ -183,7 +183,7 @@ TEST_CASE("where an obstacle is in the way a part of the route keeps its steps")
   }
 }
 
-TEST_CASE("a run that touches a zone is kept where its rounded steps enter it") {
+TEST_CASE("the spline keeps a run that touches a zone where its rounded steps enter it") {
   const auto space =
       LatticeSpace::build({.bounds = {{0, 0}, {4, 4}},
                            .safety_radius = 0.5,

@@ -86,7 +86,8 @@ struct TangentGraph {
   /// Errors: `invalid_option` for a bound that is not a number, for tangents that are not prepared
   /// and at safety radius 0, where obstacles may not be touched (tangents of another space are not
   /// noticed: see `TangentMap::matches`); what is wrong with start or goal; `unreachable`, also
-  /// when there is no path within the bound; what the budget says.
+  /// when there is no path within the bound; `not_proved` where start or goal lies within rounding
+  /// of the safety radius and no path can be proved for that; what the budget says.
   template <FeatureSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const;
@@ -125,6 +126,15 @@ class TangentSearch {
       if (!arrive(entry)) continue;
       if (entry.node == goal_node()) return std::nullopt;
       expand(static_cast<std::uint32_t>(scratch_.arrivals.size() - 1));
+    }
+    // A path that leaves or meets a safety zone at its rim, which only exact arcs could follow.
+    for (const Point& end : {query_.start, query_.goal}) {
+      if (space_.clearance(end) < space_.safety_radius() + 8 * space_.slack()) {
+        return Failure{.code = PlanError::not_proved,
+                       .detail =
+                           "start or goal touches a safety zone, and no path from there can "
+                           "be proved"};
+      }
     }
     return Failure{.code = PlanError::unreachable, .detail = "no path among the obstacles"};
   }
