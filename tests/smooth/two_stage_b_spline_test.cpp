@@ -84,7 +84,7 @@ TEST_CASE("where the spline meets an obstacle, further control points draw it to
   CHECK(output.nearest({4, 1.5}).distance > 0);
 }
 
-TEST_CASE("options without meaning are refused by name") {
+TEST_CASE("two-stage options without meaning are refused by name") {
   const auto space = cells({"..."}, MovementRule::no_cut);
   const Curve input = route_through(space, {{0, 0}, {1, 0}, {2, 0}});
   const auto refusal = [&](const TwoStageBSpline& smoother) {
