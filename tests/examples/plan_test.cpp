@@ -178,7 +178,7 @@ TEST_CASE("A+B names a pipeline, whose first smoother is followed by the next") 
   CHECK(contains(folder.run("--help").out, "A+B"));
 }
 
-TEST_CASE("--compare sets all smoothers against the taut strings of the same routes") {
+TEST_CASE("with --compare all smoothers are set against the taut strings of the same routes") {
   const Folder folder;
   for (const std::string map : {"array", "complex", "maze"}) {
     const Outcome outcome = folder.run("--compare --json r.json --svg p.svg --map " + map);
@@ -229,7 +229,7 @@ TEST_CASE("--compare sets all smoothers against the taut strings of the same rou
   }
 }
 
-TEST_CASE("--compare shows what falls back, what has no plan and the pipeline asked for") {
+TEST_CASE("with --compare one sees what falls back, what has no plan and the pipeline asked for") {
   const Folder folder;
   const Outcome pipeline = folder.run("--compare --smoother bezier+taut_string");
   CHECK(pipeline.code == 0);
