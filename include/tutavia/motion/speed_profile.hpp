@@ -72,6 +72,9 @@ class SpeedProfile {
   /// A stretch of constant acceleration.
   struct Phase {
     double time, s, speed, acceleration, duration;
+
+    /// Arc length at t after its start.
+    double s_after(double t) const { return s + t * (speed + 0.5 * acceleration * t); }
   };
   /// A stretch with a limit on the square of the speed.
   struct Interval {
@@ -203,13 +206,8 @@ inline void SpeedProfile::append_phase(double length, double from, double to, do
   if (!(length > 0)) return;
   const double speed = std::sqrt(from), mean = 0.5 * (speed + std::sqrt(to));
   if (!(mean > 0)) return;
-  const Phase* last = phases_.empty() ? nullptr : &phases_.back();
-  const double time = last == nullptr ? 0 : last->time + last->duration;
-  const double s =
-      last == nullptr
-          ? 0
-          : last->s + last->duration * (last->speed + 0.5 * last->acceleration * last->duration);
-  phases_.push_back({time, s, speed, acceleration, length / mean});
+  const double s = phases_.empty() ? 0 : phases_.back().s_after(phases_.back().duration);
+  phases_.push_back({duration(), s, speed, acceleration, length / mean});
 }
 
 inline TimedPoint SpeedProfile::at(double time) const {
@@ -221,7 +219,7 @@ inline TimedPoint SpeedProfile::at(double time) const {
                          [](double t, const Phase& phase) { return t < phase.time; });
     const Phase& phase = *(after - 1);
     const double t = std::min(state.time - phase.time, phase.duration);
-    state.s = phase.s + t * (phase.speed + 0.5 * phase.acceleration * t);
+    state.s = phase.s_after(t);
     state.speed = std::max(0.0, phase.speed + phase.acceleration * t);
     state.acceleration = phase.acceleration;
   }

@@ -14,6 +14,7 @@
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/bitangent.hpp"
 #include "tutavia/space/concepts.hpp"
+#include "tutavia/space/passing_radius.hpp"
 
 /// \file
 /// TangentMap: what shortest paths of a disc turn around, and the ways between.
@@ -95,10 +96,9 @@ TangentMap::TangentMap(const S& space) {
     double radius;
   };
   std::vector<End> ends;
-  const double margin = 4 * space.slack();
   space.for_each_feature(space.bounds().inflated(2 * space.safety_radius()),
                          [&](const Segment& core, double radius) {
-                           const double grown = radius + space.safety_radius() + margin;
+                           const double grown = passing_radius(space, radius);
                            const Point d = core.b - core.a;
                            const double length = d.norm();
                            const Point unit = length > 0 ? Point(d / length) : d;

@@ -7,6 +7,7 @@
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/pull/redundant_node_removal.hpp"
+#include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/corner_spline.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -39,9 +40,7 @@ struct BSplineSmoother {
     if (!(reach > 0)) return fail(PlanError::invalid_option, "reach must be positive");
     const auto pruned = RedundantNodeRemoval{}.smooth(space, input, budget);
     if (!pruned || pruned->empty()) return pruned;
-    double metres = reach;
-    if constexpr (LinkedSpace<S>) metres *= space.frame().resolution;
-    return CornerSpline(joints(*pruned), metres).prove(space, budget);
+    return CornerSpline(joints(*pruned), reach * length_unit(space)).prove(space, budget);
   }
 };
 

@@ -13,6 +13,7 @@
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/pull/route_check.hpp"
+#include "tutavia/smooth/concepts.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -95,15 +96,6 @@ struct BezierSmoother {
     Point position, direction;
   };
 
-  template <class S>
-  double longest_trim(const S& space) const {
-    if constexpr (LinkedSpace<S>) {
-      return trim * space.frame().resolution;
-    } else {
-      return trim;
-    }
-  }
-
   /// The place at arc length s of a piece of length `total`.
   static Place place(const Piece& piece, double s, double total) {
     return std::visit(
@@ -129,7 +121,7 @@ struct BezierSmoother {
     if (!(std::abs(cross(u, v)) > 1e-9 * std::abs(u.dot(v))) || before == 0 || after == 0) {
       return {};
     }
-    double taken = std::min({longest_trim(space), before / 2, after / 2});
+    double taken = std::min({trim * length_unit(space), before / 2, after / 2});
     for (int halvings = 0; halvings <= 8 && taken > 0; ++halvings, taken /= 2) {
       const Place a = place(in, before - taken, before), b = place(out, taken, after);
       if (a.parameter == 1 || b.parameter == 0) break;

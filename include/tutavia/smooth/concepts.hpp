@@ -7,9 +7,10 @@
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/space/concepts.hpp"
 
 /// \file
-/// What a smoother is.
+/// What a smoother is, and what many have in common.
 
 namespace tutavia {
 
@@ -22,5 +23,16 @@ concept Smoother = std::copyable<A> &&
   { A::name } -> std::convertible_to<std::string_view>;
   { a.smooth(space, curve, budget) } -> std::same_as<Expected<Curve, Failure>>;
 };
+
+/// The metres in a length that smoothers take in spacings of the space's grid: its resolution, 1 m
+/// where the space has no grid.
+template <class S>
+double length_unit([[maybe_unused]] const S& space) {
+  if constexpr (LinkedSpace<S>) {
+    return space.frame().resolution;
+  } else {
+    return 1;
+  }
+}
 
 }  // namespace tutavia

@@ -17,6 +17,7 @@
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/geometry/natural_spline.hpp"
 #include "tutavia/pull/route_check.hpp"
+#include "tutavia/smooth/concepts.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -177,8 +178,7 @@ Expected<Curve, Failure> SmoothingSpline::smooth(const S& space, const Curve& in
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   if (nodes.size() < 2) return Curve::polyline(nodes);
 
-  double bound = smoothing;
-  if constexpr (LinkedSpace<S>) bound *= space.frame().resolution * space.frame().resolution;
+  const double unit = length_unit(space), bound = smoothing * (unit * unit);
   detail::SplineSections sections(space, budget, nodes, bound, output_points - 1);
   if (const auto exceeded = sections.smooth(0, nodes.size() - 1)) {
     return fail(*exceeded, "while smoothing");
