@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/smoother_contract.hpp"
+#include "support/touching_run.hpp"
 
 namespace {
 
@@ -136,21 +137,11 @@ TEST_CASE("n nodes take n lines of sight, from the far end n log n") {
 }
 
 TEST_CASE("a run that touches a zone is kept where its rounded steps enter it") {
-  // The zone ends at y = 0.7; the lattice has nodes at 7 * 0.1, which is more.
-  const auto space =
-      LatticeSpace::build({.bounds = {{0, 0}, {4, 4}},
-                           .safety_radius = 0.5,
-                           .obstacles = {Polygon{{{1, 1.2}, {3, 1.2}, {3, 2}, {1, 2}}}}},
-                          {.resolution = 0.1})
-          .value();
-  const Point corners[] = {{0.3, 0.7}, {3.7, 0.7}};
-  const Curve input = Curve::polyline(corners);
-  REQUIRE(certify(space, input).status == ProofStatus::proved);
-  REQUIRE(certify(space, split_at_nodes(space, input)).status != ProofStatus::proved);
+  const test::TouchingRun run = test::touching_run();
   for (const Scan scan : {Scan::forward, Scan::from_far_end}) {
-    const auto result = RedundantNodeRemoval{.scan = scan}.smooth(space, input, {});
+    const auto result = RedundantNodeRemoval{.scan = scan}.smooth(run.space, run.input, {});
     REQUIRE(result);
-    CHECK(test::same_curve(*result, input));
+    CHECK(test::same_curve(*result, run.input));
   }
 }
 

@@ -144,9 +144,7 @@ TEST_CASE("strings turn, move and scale with their world; what lies far off does
     CHECK(mapped->length() == Approx(map.scale * string.length()).epsilon(1e-9));
 
     // An obstacle outside the route's hull, grown by the radius, changes nothing at all.
-    Box hull;
-    for (const Point& p : task->route) hull.include(p);
-    hull = hull.inflated(task->world.safety_radius * 1.01 + 1e-6);
+    const Box hull = test::surroundings(task->route, task->world.safety_radius);
     Workspace more = task->world;
     more.obstacles.push_back(Disc{hull.max + Point(1, 0.5), 0.999});
     more.obstacles.push_back(

@@ -72,9 +72,7 @@ void check_invariance(const Make& smoother) {
     CHECK(agree(curve, *mapped, map.scale, false, [&](const Point& p) { return map(p); }));
 
     // An obstacle outside the route's hull, grown by the radius, changes nothing.
-    Box hull;
-    for (const Point& p : route) hull.include(p);
-    hull = hull.inflated(task->world.safety_radius * 1.01 + 1e-6);
+    const Box hull = test::surroundings(route, task->world.safety_radius);
     Workspace more = task->world;
     more.obstacles.push_back(Disc{hull.max + Point(1, 0.5), 0.999});
     const auto more_space = InflatedSpace::build(more).value();

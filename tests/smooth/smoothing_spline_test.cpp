@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "support/smoother_contract.hpp"
+#include "support/touching_run.hpp"
 
 namespace {
 
@@ -184,17 +185,8 @@ TEST_CASE("where an obstacle is in the way a part of the route keeps its steps")
 }
 
 TEST_CASE("the spline keeps a run that touches a zone where its rounded steps enter it") {
-  const auto space =
-      LatticeSpace::build({.bounds = {{0, 0}, {4, 4}},
-                           .safety_radius = 0.5,
-                           .obstacles = {Polygon{{{1, 1.2}, {3, 1.2}, {3, 2}, {1, 2}}}}},
-                          {.resolution = 0.1})
-          .value();
-  // The zone ends at y = 0.7; the lattice has nodes at 7 * 0.1, which is more.
-  const Point corners[] = {{0.3, 0.7}, {3.7, 0.7}};
-  const Curve input = Curve::polyline(corners);
-  REQUIRE(certify(space, split_at_nodes(space, input)).status != ProofStatus::proved);
-  CHECK(test::same_curve(SmoothingSpline{}.smooth(space, input, {}).value(), input));
+  const test::TouchingRun run = test::touching_run();
+  CHECK(test::same_curve(SmoothingSpline{}.smooth(run.space, run.input, {}).value(), run.input));
 }
 
 TEST_CASE("steps that remain of one run of a route come out as that run") {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-#include <cstddef>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "support/random_worlds.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/space/lattice_space.hpp"
 
@@ -36,19 +34,14 @@ inline std::optional<Task> random_task(WorldGenerator& worlds) {
   return task;
 }
 
-/// The largest turn where two pieces of a curve meet [rad].
-inline double largest_corner(const Curve& curve) {
-  double largest = 0;
-  for (std::size_t i = 0; i + 1 < curve.pieces().size(); ++i) {
-    const auto direction = [&](std::size_t piece, bool end) {
-      return std::visit(
-          [&](const auto& p) -> Point { return end ? p.end_direction() : p.start_direction(); },
-          curve.pieces()[piece]);
-    };
-    const Point in = direction(i, true), out = direction(i + 1, false);
-    largest = std::fmax(largest, std::abs(std::atan2(cross(in, out), in.dot(out))));
-  }
-  return largest;
+/// A box around a route and all that can come into the zone along it.
+inline Box surroundings(const std::vector<Point>& route, double safety_radius) {
+  Box box;
+  for (const Point& p : route) box.include(p);
+  return box.inflated(safety_radius * 1.01 + 1e-6);
 }
+
+/// The largest turn where two pieces of a curve meet [rad].
+inline double largest_corner(const Curve& curve) { return measure(curve).max_joint_deflection; }
 
 }  // namespace tutavia::test
