@@ -8,8 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <functional>
-#include <iostream>
 #include <limits>
 #include <string>
 #include <utility>
@@ -33,13 +31,6 @@ using map_benchmark::Clock;
 using map_benchmark::micros_since;
 using map_benchmark::UsageError;
 using map_benchmark::value_or_throw;
-
-struct Arguments {
-  std::vector<std::size_t> polygons{16, 100, 300, 1000};
-  std::size_t worlds = 20, rounds = 3;
-  std::uint64_t seed = 1;
-  std::string csv;
-};
 
 const std::vector<std::string> kinds{"astar",       "astar+shortcut",   "theta_star",
                                      "taut(astar)", "taut(theta_star)", "taut+homotopy_refine"};
@@ -114,7 +105,7 @@ bool run_world(const Scene& scene, std::size_t rounds, Row& row) {
   return true;
 }
 
-int run(const Arguments& args) {
+int run(const polygon_worlds::Arguments& args) {
   std::printf("100 x 100 m, lattice 0.25 m, worlds from seed %llu on\n",
               static_cast<unsigned long long>(args.seed));
   std::string csv =
@@ -126,10 +117,8 @@ int run(const Arguments& args) {
   for (const std::size_t polygons : args.polygons) {
     Row row;
     row.polygons = polygons;
-    for (std::uint64_t seed = args.seed; row.worlds < args.worlds; ++seed) {
-      if (seed > args.seed + 100 * args.worlds) throw UsageError{"too few worlds have a route"};
-      run_world(polygon_worlds::make(polygons, seed), args.rounds, row);
-    }
+    polygon_worlds::for_each_world(
+        args, polygons, [&](const Scene& scene) { return run_world(scene, args.rounds, row); });
     std::printf(
         "%zu polygons: A* %.1f us, optimum %.1f us (%.2f x A*, slowest %.1f us), prepared %.1f us "
         "(%.2f x A*, slowest %.1f us; prepared in %.1f ms), %.0f expansions, %zu wrong\n",
@@ -166,28 +155,9 @@ int run(const Arguments& args) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Arguments args;
-  CLI::App app("The shortest path of a disc among polygons, beside other paths");
-  app.add_option("--polygons", args.polygons, "Numbers of polygons")
-      ->delimiter(',')
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
-  app.add_option("--worlds", args.worlds, "Worlds per number of polygons")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  app.add_option("--rounds", args.rounds, "Least time over so many rounds")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  app.add_option("--seed", args.seed, "Of the first world")->capture_default_str();
-  app.add_option("--csv", args.csv, "Write the figures to a file");
-  try {
-    app.parse(argc, argv);
-    return run(args);
-  } catch (const CLI::Success& request) {
-    return app.exit(request);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "tutavia-bench-optimum: " << error.what() << '\n';
-  } catch (const UsageError& error) {
-    std::cerr << "tutavia-bench-optimum: " << error.message << '\n';
-  }
-  return 2;
+  polygon_worlds::Arguments args;
+  CLI::App app("The shortest path of a disc among polygons, beside other paths",
+               "tutavia-bench-optimum");
+  return polygon_worlds::main(
+      app, args, [&] { return run(args); }, argc, argv);
 }

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iostream>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "map_benchmark.hpp"
 #include "tutavia/core/random.hpp"
 #include "tutavia/world/scene.hpp"
 
@@ -65,6 +69,55 @@ inline Scene make(std::size_t polygons, std::uint64_t seed) {
     scene.workspace.obstacles.emplace_back(Polygon{std::move(ring)});
   }
   return scene;
+}
+
+/// What benchmarks on these worlds are asked.
+struct Arguments {
+  std::vector<std::size_t> polygons{16, 100, 300, 1000};
+  std::size_t worlds = 20, rounds = 3;
+  std::uint64_t seed = 1;
+  std::string csv;
+};
+
+/// Calls `run_world(scene)` for worlds with so many polygons until it has returned true, for a
+/// world that has a route, as often as is asked.
+template <class RunWorld>
+void for_each_world(const Arguments& args, std::size_t polygons, const RunWorld& run_world) {
+  std::uint64_t seed = args.seed;
+  for (std::size_t world = 0; world < args.worlds; ++seed) {
+    if (seed > args.seed + 100 * args.worlds) {
+      throw map_benchmark::UsageError{"too few worlds have a route"};
+    }
+    if (run_world(make(polygons, seed))) ++world;
+  }
+}
+
+/// The program: its options (those of its own are in `app` already), its errors on one line, exit
+/// code 2 for bad usage.
+template <class Run>
+int main(CLI::App& app, Arguments& args, const Run& run, int argc, char** argv) {
+  app.add_option("--polygons", args.polygons, "Numbers of polygons")
+      ->delimiter(',')
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
+  app.add_option("--worlds", args.worlds, "Worlds per number of polygons")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--rounds", args.rounds, "Least time over so many rounds")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", args.seed, "Of the first world")->capture_default_str();
+  app.add_option("--csv", args.csv, "Write the figures to a file");
+  try {
+    app.parse(argc, argv);
+    return run();
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << app.get_name() << ": " << error.what() << '\n';
+  } catch (const map_benchmark::UsageError& error) {
+    std::cerr << app.get_name() << ": " << error.message << '\n';
+  }
+  return 2;
 }
 
 }  // namespace polygon_worlds

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -28,12 +27,8 @@ using map_benchmark::micros_since;
 using map_benchmark::UsageError;
 using map_benchmark::value_or_throw;
 
-struct Arguments {
-  std::vector<std::size_t> polygons{16, 100, 300, 1000};
+struct Arguments : polygon_worlds::Arguments {
   std::vector<std::string> smoothers;
-  std::size_t worlds = 20, rounds = 5;
-  std::uint64_t seed = 1;
-  std::string csv;
 };
 
 /// What one smoother did in all worlds with one number of polygons.
@@ -94,26 +89,23 @@ std::vector<Row> run_worlds(std::size_t polygons,
                             const Arguments& args) {
   std::vector<Row> rows;
   for (const auto& smoother : smoothers) rows.push_back({polygons, smoother.name});
-  std::uint64_t seed = args.seed;
   AStar::Scratch scratch;
-  for (std::size_t world = 0; world < args.worlds; ++seed) {
-    if (seed > args.seed + 100 * args.worlds) throw UsageError{"too few worlds have a route"};
-    const Scene scene = polygon_worlds::make(polygons, seed);
+  polygon_worlds::for_each_world(args, polygons, [&](const Scene& scene) {
     const LatticeSpace space =
         value_or_throw(LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}));
     NoObserver nobody;
     const Query query{.start = scene.start, .goal = scene.goals[0]};
     double search_us = std::numeric_limits<double>::infinity();
     auto route = AStar{}.search(space, query, scratch, nobody);
-    if (!route) continue;
+    if (!route) return false;
     for (std::size_t round = 0; round < args.rounds; ++round) {
       const auto begin = Clock::now();
       route = AStar{}.search(space, query, scratch, nobody);
       search_us = std::min(search_us, micros_since(begin));
     }
     run_world(scene, *route, space, smoothers, args, search_us, rows);
-    ++world;
-  }
+    return true;
+  });
   return rows;
 }
 
@@ -178,29 +170,11 @@ int run(const Arguments& args) {
 
 int main(int argc, char** argv) {
   Arguments args;
-  CLI::App app("Smoothers on routes through worlds of polygons, their results proved");
-  app.add_option("--polygons", args.polygons, "Numbers of polygons")
-      ->delimiter(',')
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
+  args.rounds = 5;
+  CLI::App app("Smoothers on routes through worlds of polygons, their results proved",
+               "tutavia-bench-smoothers");
   app.add_option("--smoother", args.smoothers, "Smoothers; all where none are named")
       ->delimiter(',');
-  app.add_option("--worlds", args.worlds, "Worlds per number of polygons")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  app.add_option("--rounds", args.rounds, "Least time over so many rounds")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  app.add_option("--seed", args.seed, "Of the first world")->capture_default_str();
-  app.add_option("--csv", args.csv, "Write the figures to a file");
-  try {
-    app.parse(argc, argv);
-    return run(args);
-  } catch (const CLI::Success& request) {
-    return app.exit(request);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "tutavia-bench-smoothers: " << error.what() << '\n';
-  } catch (const UsageError& error) {
-    std::cerr << "tutavia-bench-smoothers: " << error.message << '\n';
-  }
-  return 2;
+  return polygon_worlds::main(
+      app, args, [&] { return run(args); }, argc, argv);
 }
