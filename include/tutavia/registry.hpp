@@ -26,6 +26,7 @@
 #include "tutavia/search/weighted_astar.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
+#include "tutavia/smooth/clothoid_smoother.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "tutavia/smooth/homotopy_refine.hpp"
@@ -131,15 +132,12 @@ std::vector<AnySearch<S>> all_searches() {
 /// Every smoother of the library that works on S, with default options.
 template <class S>
 std::vector<AnySmoother<S>> all_smoothers() {
-  std::vector<AnySmoother<S>> all{erase_smoother<S>(NoSmoothing{}),
-                                  erase_smoother<S>(Shortcut{}),
-                                  erase_smoother<S>(RedundantNodeRemoval{}),
-                                  erase_smoother<S>(DeltaSmoother{}),
-                                  erase_smoother<S>(BezierSmoother{}),
-                                  erase_smoother<S>(BSplineSmoother{}),
-                                  erase_smoother<S>(SmoothingSpline{}),
-                                  erase_smoother<S>(TwoStageBSpline{}),
-                                  erase_smoother<S>(TautString{})};
+  std::vector<AnySmoother<S>> all{
+      erase_smoother<S>(NoSmoothing{}),          erase_smoother<S>(Shortcut{}),
+      erase_smoother<S>(RedundantNodeRemoval{}), erase_smoother<S>(DeltaSmoother{}),
+      erase_smoother<S>(BezierSmoother{}),       erase_smoother<S>(BSplineSmoother{}),
+      erase_smoother<S>(SmoothingSpline{}),      erase_smoother<S>(TwoStageBSpline{}),
+      erase_smoother<S>(TautString{}),           erase_smoother<S>(ClothoidSmoother{})};
   if constexpr (requires(const S& s) { s.workspace(); }) {
     all.push_back(erase_smoother<S>(HomotopyRefine{}));
   }

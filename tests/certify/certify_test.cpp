@@ -72,9 +72,12 @@ TEST_CASE("no verdict is wrong on random pieces in random worlds") {
                    q.y() + worlds.random().uniform(-size, size)};
     };
     const Point q = near(p), s = near(q);
-    const Piece piece = round % 3 == 0   ? Piece(Segment{p, q})
-                        : round % 3 == 1 ? Piece(QuadraticBezier{{p, q, s}})
-                                         : Piece(CubicBezier{{p, q, s, near(s)}});
+    const double bend = worlds.random().uniform(-4, 4) / size;
+    const Piece piece = round % 4 == 0   ? Piece(Segment{p, q})
+                        : round % 4 == 1 ? Piece(QuadraticBezier{{p, q, s}})
+                        : round % 4 == 2
+                            ? Piece(CubicBezier{{p, q, s, near(s)}})
+                            : Piece(Clothoid::from(p, heading(s - p), bend, -bend / size, size));
     const Curve curve = curve_of(piece);
     const Certificate c = certify(space, curve);
     const auto sampled = test::sampled_clearance(world, curve, 100);

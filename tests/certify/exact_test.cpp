@@ -104,7 +104,7 @@ TEST_CASE("no verdict on a piece next to the safety radius is wrong", "[soak]") 
     }
     world.bounds = {{-scale, -scale}, {3 * scale, 3 * scale}};
     Piece piece;
-    switch (round % 4) {
+    switch (round % 5) {
       case 0:
         piece = Segment{point(), point()};
         break;
@@ -113,6 +113,10 @@ TEST_CASE("no verdict on a piece next to the safety radius is wrong", "[soak]") 
         break;
       case 2:
         piece = CubicBezier{{point(), point(), point(), point()}};
+        break;
+      case 3:
+        piece = Clothoid::from(point(), random.uniform(-4, 4), random.uniform(-8, 8) / scale,
+                               random.uniform(-16, 16) / (scale * scale), random.uniform(0, scale));
         break;
       default:
         piece = Arc::around(point(), random.uniform(0, 0.5 * scale), random.uniform(-4, 4),

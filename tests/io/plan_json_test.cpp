@@ -52,13 +52,36 @@ TEST_CASE("a plan's numbers read back to the same doubles") {
   CHECK(result["route"].size() == plan.route.curve.pieces().size());
   for (const char* key :
        {"turning_points", "turning_angle", "interior_angle_sum", "max_joint_deflection",
-        "max_curvature", "min_clearance", "mean_clearance"}) {
+        "max_curvature", "max_curvature_jump", "min_clearance", "mean_clearance"}) {
     CHECK(result["metrics"].contains(key));
   }
   for (const char* key :
        {"expanded", "generated", "search_us", "smooth_us", "certify_us", "seed"}) {
     CHECK(result["stats"].contains(key));
   }
+}
+
+TEST_CASE("arcs and clothoids are written with all their numbers") {
+  Plan plan;
+  const Arc arc = Arc::around({1, 2}, 3, 0.5, -1);
+  const Clothoid clothoid = Clothoid::from({1, 2}, 0.3, 0.4, -0.5, 0.6);
+  plan.curve.push_back(arc);
+  Plan other;
+  other.curve.push_back(clothoid);
+  const Json a = Json::parse(result_to_json({}, plan).dump())["curve"][0];
+  CHECK(a["type"] == "arc");
+  CHECK(a["center"] == Json{1.0, 2.0});
+  CHECK(a["radius"] == 3);
+  CHECK(a["start_angle"] == 0.5);
+  CHECK(a["sweep"] == -1);
+  const Json c = Json::parse(result_to_json({}, other).dump())["curve"][0];
+  CHECK(c["type"] == "clothoid");
+  CHECK(c["points"][1] == Json{clothoid.b.x(), clothoid.b.y()});
+  CHECK(c["start"] == Json{1.0, 2.0});
+  CHECK(c["heading"] == 0.3);
+  CHECK(c["curvature"] == 0.4);
+  CHECK(c["sharpness"] == -0.5);
+  CHECK(c["length"] == 0.6);
 }
 
 TEST_CASE("the optimum is written where the planner reports it") {

@@ -39,6 +39,16 @@ TEST_CASE("a picture shows obstacles, zones of the safety radius, route, curve a
   CHECK(count(svg, "nan") == 0);
 }
 
+TEST_CASE("clothoids are drawn as cubics that follow them") {
+  Plan plan;
+  const Clothoid clothoid = Clothoid::from({1, 1}, 0, 0, 2, 2);
+  plan.curve.push_back(clothoid);
+  const Workspace world{.bounds = {{0, 0}, {4, 4}}};
+  const std::string svg = to_svg(world, std::span(&plan, 1), {});
+  CHECK(count(svg, "C") >= 16);  // it turns by 4: eight pieces or more, drawn twice
+  CHECK(count(svg, "nan") == 0);
+}
+
 TEST_CASE("a workspace can be drawn without a plan, holes and discs included") {
   const Workspace world{
       .bounds = {{0, 0}, {4, 2}},

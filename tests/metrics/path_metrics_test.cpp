@@ -62,6 +62,24 @@ TEST_CASE("the largest turn at a joint counts neither side nor what happens with
   CHECK(measure(Curve{}).max_joint_deflection == 0);
 }
 
+TEST_CASE("the jump of the curvature at a joint is 0 where curvature is continuous") {
+  const Clothoid in = Clothoid::from({0, 0}, 0, 0, 0.5, 2);
+  Curve curve;
+  curve.push_back(Segment{{-1, 0}, {0, 0}});
+  curve.push_back(in);
+  const Arc arc = Arc::around(in.b + Point(-std::sin(1), std::cos(1)), 1, 1 - pi / 2, 0.5);
+  Arc joined = arc;
+  joined.a = in.b;
+  curve.push_back(joined);
+  CHECK(measure(curve).max_curvature_jump < 1e-12);
+  CHECK(measure(curve).max_joint_deflection < 1e-12);
+  const Point ahead = joined.b + 0.3 * Point(std::cos(1.5), std::sin(1.5));
+  curve.push_back(Segment{joined.b, ahead});
+  CHECK(measure(curve).max_curvature_jump == Approx(1));
+  CHECK(measure(curve).turning_points == 1);
+  CHECK(measure(curve).turning_angle == Approx(1.5));
+}
+
 TEST_CASE("turns in opposite directions count apart") {
   Curve curve;
   curve.push_back(CubicBezier{{Point(0, 0), Point(1, 2), Point(2, -2), Point(3, 0)}});
@@ -79,9 +97,14 @@ TEST_CASE("turning and curvature agree with dense sampling, forwards and backwar
     std::array<Point, 4> p;
     for (Point& q : p) q = {random.uniform(0, 4), random.uniform(0, 4)};
     Curve forwards, backwards;
-    if (round % 2 == 0) {
+    if (round % 3 == 0) {
       forwards.push_back(CubicBezier{p});
       backwards.push_back(CubicBezier{{p[3], p[2], p[1], p[0]}});
+    } else if (round % 3 == 1) {
+      const Clothoid clothoid =
+          Clothoid::from(p[0], p[1].x(), p[1].y() - 2, p[2].x() - 2, p[2].y());
+      forwards.push_back(clothoid);
+      backwards.push_back(clothoid.reversed());
     } else {
       forwards.push_back(QuadraticBezier{{p[0], p[1], p[2]}});
       backwards.push_back(QuadraticBezier{{p[2], p[1], p[0]}});

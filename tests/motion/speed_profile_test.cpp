@@ -13,6 +13,7 @@
 #include "support/scale.hpp"
 #include "tutavia/pull/taut_string.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
+#include "tutavia/smooth/clothoid_smoother.hpp"
 #include "tutavia/space/inflated_space.hpp"
 
 namespace {
@@ -95,7 +96,7 @@ TEST_CASE("the limits hold everywhere on curves of all kinds; smooth curves are 
   test::WorldGenerator worlds(seed);
   Random& random = worlds.random();
   std::size_t profiles = 0;
-  double stopping = 0, tangent = 0, spline = 0;
+  double stopping = 0, tangent = 0, continuous = 0, spline = 0;
   for (std::size_t round = 0; round < test::scaled(60); ++round) {
     INFO("seed " << seed << ", round " << round);
     const auto task = test::random_task(worlds);
@@ -109,9 +110,10 @@ TEST_CASE("the limits hold everywhere on curves of all kinds; smooth curves are 
     const Curve string = TautString{}.smooth(space, route, {}).value();
     const Curve rounded =
         BSplineSmoother{.reach = task->world.bounds.width() / 20}.smooth(space, route, {}).value();
-    double* const sums[] = {&stopping, &tangent, &spline};
-    const Curve* const curves[] = {&route, &string, &rounded};
-    for (int k = 0; k < 3; ++k) {
+    const Curve spirals = ClothoidSmoother{}.smooth(space, string, {}).value();
+    double* const sums[] = {&stopping, &tangent, &continuous, &spline};
+    const Curve* const curves[] = {&route, &string, &spirals, &rounded};
+    for (int k = 0; k < 4; ++k) {
       const auto profile = SpeedProfile::build(*curves[k], limits);
       REQUIRE(profile);
       if (profile->duration() == 0) continue;
@@ -120,8 +122,10 @@ TEST_CASE("the limits hold everywhere on curves of all kinds; smooth curves are 
       check_limits(*profile, limits, random);
     }
   }
-  std::printf("%zu profiles; routes with stops %.1f s, taut strings %.1f s, B-splines %.1f s\n",
-              profiles, stopping, tangent, spline);
+  std::printf(
+      "%zu profiles; routes with stops %.1f s, taut strings %.1f s, paths of continuous curvature "
+      "%.1f s, B-splines %.1f s\n",
+      profiles, stopping, tangent, continuous, spline);
   CHECK(profiles > test::scaled(60));
   CHECK(tangent < stopping);
   CHECK(spline < stopping);

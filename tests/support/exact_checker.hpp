@@ -15,7 +15,7 @@
 
 /// \file
 /// An independent judge of paths: rational arithmetic for segments and Beziers, a hundred digits
-/// for arcs. It shares the types with the library, and no computation.
+/// for arcs and clothoids. It shares the types with the library, and no computation.
 
 namespace tutavia::test {
 
@@ -369,6 +369,98 @@ class ExactChecker {
         }
       }
       if (verdict == ExactVerdict::blocked) return verdict;
+    }
+    return verdict;
+  }
+
+  struct Place {
+    F x, y;
+  };
+
+  /// The clothoid's place at arc length s, by the power series of its direction: with
+  /// exp(i (k s + c s^2 / 2)) = sum a_n s^n, (n + 1) a_(n+1) = i (k a_n + c a_(n-1)).
+  static Place place(const Clothoid& clothoid, const F& s) {
+    const F k = clothoid.start_curvature, c = clothoid.sharpness;
+    F re = 1, im = 0, re_before = 0, im_before = 0;  // a_n s^n and a_(n-1) s^(n-1)
+    F x = 0, y = 0;
+    const F tiny("1e-80");
+    for (int n = 0; n < 2000; ++n) {
+      x += re / (n + 1);
+      y += im / (n + 1);
+      if (n > 4 && abs(re) + abs(im) + abs(re_before) + abs(im_before) < tiny) break;
+      const F u = k * s * re + c * s * s * re_before, v = k * s * im + c * s * s * im_before;
+      re_before = re, im_before = im;
+      re = -v / (n + 1);
+      im = u / (n + 1);
+    }
+    const F heading = clothoid.start_heading, cosine = cos(heading), sine = sin(heading);
+    return {F(clothoid.a.x()) + s * (x * cosine - y * sine),
+            F(clothoid.a.y()) + s * (x * sine + y * cosine)};
+  }
+
+  static F to_segment(const Place& p, const Place& a, const Place& b) {
+    const F dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+    F t = square > 0 ? F(((p.x - a.x) * dx + (p.y - a.y) * dy) / square) : F(0);
+    t = t < 0 ? F(0) : t > 1 ? F(1) : t;
+    const F ex = p.x - a.x - t * dx, ey = p.y - a.y - t * dy;
+    return sqrt(ex * ex + ey * ey);
+  }
+  static F between(const Place& p, const Place& q, const Place& a, const Place& b) {
+    const auto side = [](const Place& u, const Place& v, const Place& w) {
+      return F((v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x));
+    };
+    if (side(p, q, a) * side(p, q, b) < 0 && side(a, b, p) * side(a, b, q) < 0) return 0;
+    return std::min(
+        {to_segment(p, a, b), to_segment(q, a, b), to_segment(a, p, q), to_segment(b, p, q)});
+  }
+
+  /// Clothoids by their numbers in a hundred digits, by halving: a part of length h is within
+  /// k h^2 / 8 of its chord for the largest curvature k. Closer than 1e-30 to a tie is unknown. The
+  /// end as stored is checked as a point.
+  ExactVerdict check_piece(const Clothoid& clothoid) const {
+    ExactVerdict verdict = worse(check_piece(Segment{clothoid.a, clothoid.a}),
+                                 check_piece(Segment{clothoid.b, clothoid.b}));
+    const F length = clothoid.arc_length, k0 = abs(F(clothoid.start_curvature));
+    const F k1 = abs(F(clothoid.start_curvature) + F(clothoid.sharpness) * length);
+    const F bend = k0 > k1 ? k0 : k1;
+    const Place first = place(clothoid, 0), last = place(clothoid, length);
+    const Box& b = world_.bounds;
+    const auto inside = [&](const Place& p, const F& margin) {
+      return p.x - b.min.x() >= margin && p.y - b.min.y() >= margin && b.max.x() - p.x >= margin &&
+             b.max.y() - p.y >= margin;
+    };
+    const auto halve = [&](const auto& again, const auto& judge, const Place& p, const F& from,
+                           const Place& q, const F& to) -> ExactVerdict {
+      const F deviation = bend * (to - from) * (to - from) / 8;
+      const ExactVerdict here = judge(p, q, deviation);
+      if (here != ExactVerdict::unknown || deviation < F("1e-30")) return here;
+      const F middle = (from + to) / 2;
+      const Place m = place(clothoid, middle);
+      const ExactVerdict left = again(again, judge, p, from, m, middle);
+      if (left == ExactVerdict::blocked) return left;
+      return worse(left, again(again, judge, m, middle, q, to));
+    };
+    const auto in_bounds_throughout = [&](const Place& p, const Place& q, const F& deviation) {
+      if (!inside(p, 0) || !inside(q, 0)) return ExactVerdict::blocked;
+      const bool clear = inside(p, deviation) && inside(q, deviation);
+      return clear ? ExactVerdict::free : ExactVerdict::unknown;
+    };
+    verdict = worse(verdict, halve(halve, in_bounds_throughout, first, 0, last, length));
+    const Box hull = Box::around({clothoid.a, clothoid.b})
+                         .inflated(static_cast<double>(bend * length * length) + 1e-9);
+    for (const Part& part : parts_) {
+      if (verdict == ExactVerdict::blocked) return verdict;
+      if (is_far(part, hull)) continue;
+      const Place u{F(part.a.x()), F(part.a.y())}, v{F(part.b.x()), F(part.b.y())};
+      const F least = F(part.radius) + F(r_);
+      const auto keeps_off = [&](const Place& p, const Place& q, const F& deviation) {
+        if (to_segment(p, u, v) < least || to_segment(q, u, v) < least) {
+          return ExactVerdict::blocked;
+        }
+        const bool clear = between(p, q, u, v) - deviation >= least;
+        return clear ? ExactVerdict::free : ExactVerdict::unknown;
+      };
+      verdict = worse(verdict, halve(halve, keeps_off, first, 0, last, length));
     }
     return verdict;
   }

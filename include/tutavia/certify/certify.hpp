@@ -43,6 +43,7 @@ class ClearanceInterval {
   template <class P>
   void add(const P& piece, std::size_t index) {
     magnitude_ = std::fmax(space_.magnitude(), piece.box().magnitude());
+    error_ = piece_error(piece, magnitude_);
     if constexpr (Divisible<P>) {
       PartStack<P> stack(piece);
       std::size_t evaluations = 0;
@@ -75,8 +76,7 @@ class ClearanceInterval {
   template <class P, class StandIn>
   Narrowed narrow(const P& piece, std::size_t index, const Part<P>& part, const StandIn& stand_in,
                   double deviation) {
-    const double margin =
-        deviation + rounding_slack(magnitude_) + piece_error(piece, part.depth, magnitude_);
+    const double margin = deviation + rounding_slack(magnitude_) + error_.at(part.depth);
     const Proximity found = space_.nearest(stand_in, out_.upper + margin);
     ++out_.evaluations;
     if (found.distance + margin < out_.upper) {
@@ -94,7 +94,9 @@ class ClearanceInterval {
   double epsilon_;
   std::size_t max_evaluations_;
   Certificate& out_;
+  // Of the piece that is looked at.
   double magnitude_ = 0;
+  PieceError error_;
 };
 
 }  // namespace detail

@@ -71,12 +71,21 @@ concept Divisible = requires(const P& piece) {
 };
 
 /// How far computed places of a piece can be from the true ones, and its computed deviation from
-/// the true one [m]. Halved pieces: six roundings per halving and as many at the end.
-inline double piece_error(const Segment&, int, double) { return 0; }
-inline double piece_error(const Arc& arc, int, double) { return arc.evaluation_error(); }
-template <Divisible P>
-double piece_error(const P&, int depth, double magnitude) {
-  return 6 * (depth + 1) * 0x1p-53 * magnitude;
+/// the true one [m].
+struct PieceError {
+  double whole = 0;        ///< of the piece as it is given
+  double per_halving = 0;  ///< added by each halving, and by the last look
+
+  double at(int depth) const { return whole + (depth + 1) * per_halving; }
+};
+inline PieceError piece_error(const Segment&, double) { return {}; }
+inline PieceError piece_error(const Arc& arc, double) { return {arc.evaluation_error(), 0}; }
+inline PieceError piece_error(const Clothoid& clothoid, double) {
+  return {clothoid.evaluation_error(), clothoid.rounding()};
+}
+template <std::size_t Degree>
+PieceError piece_error(const Bezier<Degree>&, double magnitude) {
+  return {0, 6 * 0x1p-53 * magnitude};
 }
 
 /// A segment against the obstacles' boundaries: one distance, and the space's exact test for ties
@@ -130,16 +139,17 @@ PieceProof prove(const S& space, const P& piece, double distance, double slack,
                  std::size_t max_evaluations) {
   const Box& bounds = space.bounds();
   const double magnitude = std::fmax(space.magnitude(), piece.box().magnitude());
+  const PieceError rounding = piece_error(piece, magnitude);
   PieceProof proof;
   PartStack<P> stack(piece);
   bool open = false;
   while (!stack.empty()) {
     const Part<P> part = stack.pop();
     const double deviation = part.piece.deviation();
-    const double error = slack + piece_error(piece, part.depth, magnitude);
+    const double error = slack + rounding.at(part.depth);
     const double margin = deviation + error;
     if (!std::isfinite(margin) || proof.evaluations == max_evaluations) return proof;
-    const Box hull = part.depth == 0 ? part.piece.box() : part.piece.box().inflated(error);
+    const Box hull = part.piece.box().inflated(part.depth == 0 ? rounding.whole : error);
     const Segment chord{part.piece.start(), part.piece.end()};
     const Proximity found = space.nearest(chord, distance + margin);
     ++proof.evaluations;
@@ -165,7 +175,7 @@ PieceProof prove(const S& space, const P& piece, double distance, double slack,
 /// Decides whether every point of `piece` lies within the bounds and at `distance` or more from
 /// every obstacle.
 ///
-/// Segments and arcs need one distance. For any part of a Bezier piece with chord S and deviation
+/// Segments and arcs need one distance. For any part of another piece with chord S and deviation
 /// dev from it, the clearance lies within dev of the distance between S and the obstacles; parts
 /// that this leaves open are halved, which divides dev by four. A segment within rounding of the
 /// safety radius is decided by the space's exact test; a curved piece in that position is

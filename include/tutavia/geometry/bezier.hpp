@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "tutavia/geometry/box.hpp"
+#include "tutavia/geometry/nearest_place.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/geometry/quadrature.hpp"
-#include "tutavia/geometry/segment.hpp"
 
 /// \file
 /// Quadratic and cubic Bezier pieces.
@@ -88,9 +87,11 @@ struct Bezier {
   }
 
   /// Parameter of the point nearest to `p`, the smallest where several are as near; see
-  /// detail::NearestOnBezier. Its distance exceeds the least by 2e-12 of the piece's size and 2^-44
-  /// of the distance at most.
-  double nearest_parameter(const Point& p) const;
+  /// detail::NearestPlace. Its distance exceeds the least by 4e-12 of the piece's size and 2^-44 of
+  /// the distance at most.
+  double nearest_parameter(const Point& p) const {
+    return detail::NearestPlace<Bezier>(seen_from(p)).parameter();
+  }
 
   /// Largest distance between the piece and its chord at the same parameter: exact for a quadratic
   /// (|P0 - 2 P1 + P2| / 4), a bound for a cubic (3/4 of the larger second difference).
@@ -199,75 +200,6 @@ struct Bezier {
     return {p.x() - 2 * q.x() + r.x(), p.y() - 2 * q.y() + r.y()};
   }
 };
-
-namespace detail {
-
-/// Branch and bound for the place of a Bezier piece that is nearest to the origin. A part with the
-/// chord S and the deviation dev from it is no nearer than the distance to S less dev, and halving
-/// divides dev by four. Every place that is within `tolerance` of the nearest counts as nearest.
-template <std::size_t Degree>
-class NearestOnBezier {
- public:
-  explicit NearestOnBezier(const Bezier<Degree>& piece) {
-    double size = 0;
-    for (std::size_t i = 0; i < Degree; ++i) size += distance(piece.points[i], piece.points[i + 1]);
-    tolerance_ = 1e-12 * size + 256 * 0x1p-53 * piece.box().magnitude();
-    consider(0, piece.start().norm());
-    consider(1, piece.end().norm());
-    descend(piece, 0, 1);
-    polish(piece);
-  }
-
-  double parameter() const { return parameter_; }
-
- private:
-  void descend(const Bezier<Degree>& part, double from, double to) {
-    const Segment chord{part.start(), part.end()};
-    const double deviation = part.deviation();
-    if (!(distance(Point::Zero(), chord) - deviation <= least_ + tolerance_)) return;
-    const double local = chord.nearest_parameter(Point::Zero());
-    consider(from + local * (to - from), part.point(local).norm());
-    if (!(deviation > tolerance_ / 2)) return;
-    const auto [left, right] = part.halves();
-    const double middle = 0.5 * (from + to);
-    if (local < 0.5) descend(left, from, middle);
-    descend(right, middle, to);
-    if (!(local < 0.5)) descend(left, from, middle);
-  }
-
-  void consider(double t, double distance) {
-    least_ = std::min(least_, distance);
-    if (distance > least_ + tolerance_) return;
-    if (t < parameter_ || distance_ > least_ + tolerance_) parameter_ = t, distance_ = distance;
-  }
-
-  /// Newton's method for B . B' = 0: the distance is flat around its minimum, so that the tolerance
-  /// alone leaves the parameter known to half the digits only.
-  void polish(const Bezier<Degree>& piece) {
-    for (int i = 0; i < 8; ++i) {
-      const double t = parameter_;
-      const Point at = piece.point(t), speed = piece.derivative(t);
-      const double slope = speed.squaredNorm() + at.dot(piece.second_derivative(t));
-      if (!(slope > 0)) return;
-      const double next = std::clamp(t - at.dot(speed) / slope, 0.0, 1.0);
-      const double distance = piece.point(next).norm();
-      if (next == t || !(distance <= distance_ + tolerance_ / 16)) return;
-      parameter_ = next, distance_ = distance;
-    }
-  }
-
-  double tolerance_ = 0;
-  double least_ = std::numeric_limits<double>::infinity();
-  double distance_ = std::numeric_limits<double>::infinity();  // at parameter_
-  double parameter_ = 0;
-};
-
-}  // namespace detail
-
-template <std::size_t Degree>
-double Bezier<Degree>::nearest_parameter(const Point& p) const {
-  return detail::NearestOnBezier<Degree>(seen_from(p)).parameter();
-}
 
 using QuadraticBezier = Bezier<2>;
 using CubicBezier = Bezier<3>;

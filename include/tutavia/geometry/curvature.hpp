@@ -9,6 +9,7 @@
 
 #include "tutavia/geometry/arc.hpp"
 #include "tutavia/geometry/bezier.hpp"
+#include "tutavia/geometry/clothoid.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/geometry/polynomial.hpp"
 #include "tutavia/geometry/segment.hpp"
@@ -87,6 +88,11 @@ inline double max_curvature(const Segment&) { return 0; }
 
 /// Largest magnitude of the curvature of an arc [1/m]; 0 where it is one point.
 inline double max_curvature(const Arc& arc) { return arc.length() > 0 ? 1 / arc.radius : 0; }
+
+/// Largest magnitude of the curvature of a clothoid [1/m]; 0 where it is one point.
+inline double max_curvature(const Clothoid& clothoid) {
+  return clothoid.arc_length > 0 ? clothoid.largest_curvature() : 0;
+}
 
 /// Largest magnitude of the curvature of a Bezier piece [1/m]; never NaN. Infinite where it comes
 /// to a standstill, be it a cusp or control points that coincide at an end. A piece that is

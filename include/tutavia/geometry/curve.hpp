@@ -12,6 +12,7 @@
 #include "tutavia/core/assert.hpp"
 #include "tutavia/geometry/arc.hpp"
 #include "tutavia/geometry/bezier.hpp"
+#include "tutavia/geometry/clothoid.hpp"
 #include "tutavia/geometry/curvature.hpp"
 #include "tutavia/geometry/segment.hpp"
 
@@ -24,7 +25,7 @@ namespace tutavia {
 /// second_derivative(t), start_direction(), end_direction(), length(), length_to(t), box(),
 /// is_finite(), part(from, to), reversed(), nearest_parameter(p) and, where it is not straight or
 /// circular, deviation() and halves().
-using Piece = std::variant<Segment, QuadraticBezier, CubicBezier, Arc>;
+using Piece = std::variant<Segment, QuadraticBezier, CubicBezier, Arc, Clothoid>;
 
 /// What a curve does at one place.
 struct CurvePoint {
@@ -58,6 +59,12 @@ inline double max_curvature(const Piece& piece) {
 
 namespace detail {
 
+/// Pieces of which the parameter is not proportional to arc length.
+template <class P>
+inline constexpr bool has_varying_speed = false;
+template <std::size_t Degree>
+inline constexpr bool has_varying_speed<Bezier<Degree>> = true;
+
 /// What a piece does at parameter t; its arc length is left at 0.
 template <class P>
 CurvePoint state(const P& piece, double t) {
@@ -74,7 +81,7 @@ template <class P>
 double parameter_at(const P& piece, double s, double total, double guess) {
   if (!(total > 0)) return 0;
   if (s >= total) return 1;
-  if constexpr (requires { piece.halves(); }) {
+  if constexpr (has_varying_speed<P>) {
     const P seen = piece.seen_from(piece.start());
     double low = 0, high = 1, t = 0 < guess && guess < 1 ? guess : s / total;
     for (int i = 0; i < 60; ++i) {
@@ -163,7 +170,7 @@ class Curve {
   }
 
   /// The point of the curve nearest to `p`, at the least arc length where several are as near: in
-  /// closed form on segments and arcs, by branch and bound on Bezier pieces (tolerance: see
+  /// closed form on segments and arcs, by branch and bound on other pieces (tolerance: see
   /// Bezier::nearest_parameter).
   /// \pre not empty
   NearestPoint nearest(const Point& p) const {

@@ -10,18 +10,26 @@
 
 namespace tutavia {
 
+namespace detail {
+
+/// The positive half of the eight nodes on [-1, 1] and their weights (Abramowitz and Stegun 1964,
+/// table 25.4).
+inline constexpr std::array<double, 4> gauss_nodes{0.1834346424956498, 0.5255324099163290,
+                                                   0.7966664774136267, 0.9602898564975363};
+inline constexpr std::array<double, 4> gauss_weights{0.3626837833783620, 0.3137066458778873,
+                                                     0.2223810344533745, 0.1012285362903763};
+
+}  // namespace detail
+
 /// Gauss-Legendre quadrature of `f` over [a, b] with eight nodes, exact for polynomials up to
-/// degree 15 (nodes and weights: Abramowitz and Stegun 1964, table 25.4).
+/// degree 15.
 template <class F>
 double gauss_legendre(const F& f, double a, double b) {
-  constexpr std::array<double, 4> nodes{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                        0.9602898564975363};
-  constexpr std::array<double, 4> weights{0.3626837833783620, 0.3137066458778873,
-                                          0.2223810344533745, 0.1012285362903763};
+  const auto& nodes = detail::gauss_nodes;
   const double centre = 0.5 * (a + b), half = 0.5 * (b - a);
   double sum = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    sum += weights[i] * (f(centre - half * nodes[i]) + f(centre + half * nodes[i]));
+    sum += detail::gauss_weights[i] * (f(centre - half * nodes[i]) + f(centre + half * nodes[i]));
   }
   return half * sum;
 }

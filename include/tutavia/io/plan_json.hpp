@@ -43,6 +43,14 @@ inline ResultJson to_json(const Curve& curve) {
                     {"radius", piece.radius},
                     {"start_angle", piece.start_angle},
                     {"sweep", piece.sweep}};
+          } else if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Clothoid>) {
+            return {{"type", "clothoid"},
+                    {"points", {to_json(piece.a), to_json(piece.b)}},
+                    {"start", to_json(piece.a)},
+                    {"heading", piece.start_heading},
+                    {"curvature", piece.start_curvature},
+                    {"sharpness", piece.sharpness},
+                    {"length", piece.arc_length}};
           } else {
             ResultJson points = ResultJson::array();
             for (const Point& p : piece.points) points.push_back(to_json(p));
@@ -87,6 +95,7 @@ inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const P
                      {"interior_angle_sum", m.interior_angle_sum},
                      {"max_joint_deflection", m.max_joint_deflection},
                      {"max_curvature", m.max_curvature},
+                     {"max_curvature_jump", m.max_curvature_jump},
                      {"min_clearance", m.min_clearance},
                      {"mean_clearance", m.mean_clearance}};
   json["certificate"] = {

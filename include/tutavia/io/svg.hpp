@@ -174,7 +174,23 @@ class SvgPicture {
           d.append("A").append(radius).append(" ").append(radius);
           d.append(arc->sweep > 0 ? " 0 0 0 " : " 0 0 1 ").append(at(arc->point(t)));
         }
+      } else if (const auto* clothoid = std::get_if<Clothoid>(&any)) {
+        d += clothoid_path(*clothoid);
       }
+    }
+    return d;
+  }
+
+  /// As cubic Bezier pieces with the same ends and directions, none of which turns much.
+  std::string clothoid_path(const Clothoid& clothoid) const {
+    const double turn = clothoid.largest_curvature() * clothoid.arc_length;
+    const int parts = std::max(1, static_cast<int>(std::ceil(2 * turn)));
+    std::string d;
+    for (int i = 0; i < parts; ++i) {
+      const double from = double(i) / parts, to = (i + 1.0) / parts, handle = (to - from) / 3;
+      d += "C" + at(advance(clothoid.point(from), handle, clothoid.derivative(from))) + " " +
+           at(advance(clothoid.point(to), -handle, clothoid.derivative(to))) + " " +
+           at(clothoid.point(to));
     }
     return d;
   }

@@ -33,6 +33,9 @@ struct PathMetrics {
   double max_joint_deflection = 0;
   /// Of the pieces [1/m]; corners between pieces are turning, not this. Infinite at cusps.
   double max_curvature = 0;
+  /// Largest jump of the curvature at a joint between two pieces [1/m]; 0, but for rounding, where
+  /// the curvature is continuous.
+  double max_curvature_jump = 0;
   double min_clearance = 0;   ///< the proved lower bound [m]
   double mean_clearance = 0;  ///< over arc length [m], by 256 samples
 };
@@ -97,17 +100,27 @@ inline PathMetrics measure(const Curve& curve) {
   metrics.length = curve.length();
   detail::TurnCounter turns(metrics);
   Point heading = Point::Zero();  // at the end of what lies behind
+  double bend = 0;                // the curvature there
   for (const Piece& any : curve.pieces()) {
     std::visit(
         [&](const auto& piece) {
           using P = std::decay_t<decltype(piece)>;
           if (is_null(piece.start_direction())) return;  // a single point
-          if (!is_null(heading)) turns.joint(deflection(heading, piece.start_direction()));
+          if (!is_null(heading)) {
+            turns.joint(deflection(heading, piece.start_direction()));
+            const double jump = std::abs(curvature(piece, 0) - bend);
+            metrics.max_curvature_jump = std::max(metrics.max_curvature_jump, jump);
+          }
           metrics.max_curvature = std::max(metrics.max_curvature, max_curvature(piece));
           if constexpr (std::is_same_v<P, Segment>) {
             turns.end_run();
           } else if constexpr (std::is_same_v<P, Arc>) {
             turns.turn(piece.sweep);
+          } else if constexpr (std::is_same_v<P, Clothoid>) {
+            const double inflection = -piece.start_curvature / (piece.sharpness * piece.arc_length);
+            const double before = 0 < inflection && inflection < 1 ? piece.turn_to(inflection) : 0;
+            turns.turn(before);
+            turns.turn(piece.turn_to(1) - before);
           } else {
             Point before = piece.start_direction();
             for (const double t : detail::turning_intervals(piece)) {
@@ -118,6 +131,7 @@ inline PathMetrics measure(const Curve& curve) {
             }
           }
           heading = piece.end_direction();
+          bend = curvature(piece, 1);
         },
         any);
   }

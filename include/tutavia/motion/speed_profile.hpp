@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -89,7 +90,11 @@ class SpeedProfile {
   void append(double from, double to, const Interval& interval, const SpeedLimits& limits);
   void append_phase(double length, double from, double to, double acceleration);
 
-  static constexpr int parts_of_a_bezier = 8;
+  /// Pieces along which the curvature changes are cut into several intervals.
+  template <class P>
+  static constexpr std::size_t parts_of(const P&) {
+    return std::is_same_v<P, Segment> || std::is_same_v<P, Arc> ? 1 : 8;
+  }
 
   Curve curve_;
   std::vector<Phase> phases_;
@@ -117,14 +122,11 @@ inline std::vector<SpeedProfile::Interval> SpeedProfile::intervals(const Curve& 
   for (const Piece& piece : curve.pieces()) {
     std::visit(
         [&](const auto& p) {
-          if constexpr (requires { p.halves(); }) {
-            for (int i = 0; i < parts_of_a_bezier; ++i) {
-              const auto part =
-                  p.part(double(i) / parts_of_a_bezier, (i + 1.0) / parts_of_a_bezier);
-              add(part.length(), max_curvature(part));
-            }
-          } else {
-            add(p.length(), max_curvature(p));
+          const std::size_t parts = parts_of(p);
+          if (parts == 1) return add(p.length(), max_curvature(p));
+          for (std::size_t i = 0; i < parts; ++i) {
+            const auto part = p.part(double(i) / double(parts), double(i + 1) / double(parts));
+            add(part.length(), max_curvature(part));
           }
         },
         piece);
@@ -154,9 +156,7 @@ inline std::vector<double> SpeedProfile::joint_limits(const Curve& curve, const 
       if (is_corner) squares[at] = 0;
       before = direction(true);
     }
-    const bool is_bezier = std::holds_alternative<QuadraticBezier>(piece) ||
-                           std::holds_alternative<CubicBezier>(piece);
-    at += is_bezier ? parts_of_a_bezier : 1;
+    at += std::visit([](const auto& p) { return parts_of(p); }, piece);
   }
   return squares;
 }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "tutavia/geometry/box.hpp"
+#include "tutavia/geometry/point.hpp"
+#include "tutavia/geometry/segment.hpp"
+
+/// \file
+/// The place of a curved piece that is nearest to a point.
+
+namespace tutavia {
+
+namespace detail {
+
+/// Branch and bound for the place of a piece P that is nearest to the origin. A part with the chord
+/// S and the deviation dev from it is no nearer than the distance to S less dev, and halving
+/// divides dev by four. Every place that is within `tolerance` of the nearest counts as nearest.
+template <class P>
+class NearestPlace {
+ public:
+  explicit NearestPlace(const P& piece) {
+    const Box box = piece.box();
+    tolerance_ = 1e-12 * (box.width() + box.height()) + 256 * 0x1p-53 * box.magnitude();
+    consider(0, piece.start().norm());
+    consider(1, piece.end().norm());
+    descend(piece, 0, 1);
+    polish(piece);
+  }
+
+  double parameter() const { return parameter_; }
+
+ private:
+  void descend(const P& part, double from, double to) {
+    const Segment chord{part.start(), part.end()};
+    const double deviation = part.deviation();
+    if (!(distance(Point::Zero(), chord) - deviation <= least_ + tolerance_)) return;
+    const double local = chord.nearest_parameter(Point::Zero());
+    consider(from + local * (to - from), part.point(local).norm());
+    if (!(deviation > tolerance_ / 2)) return;
+    const auto [left, right] = part.halves();
+    const double middle = 0.5 * (from + to);
+    if (local < 0.5) descend(left, from, middle);
+    descend(right, middle, to);
+    if (!(local < 0.5)) descend(left, from, middle);
+  }
+
+  void consider(double t, double distance) {
+    least_ = std::min(least_, distance);
+    if (distance > least_ + tolerance_) return;
+    if (t < parameter_ || distance_ > least_ + tolerance_) parameter_ = t, distance_ = distance;
+  }
+
+  /// Newton's method for B . B' = 0: the distance is flat around its minimum, so that the tolerance
+  /// alone leaves the parameter known to half the digits only.
+  void polish(const P& piece) {
+    for (int i = 0; i < 8; ++i) {
+      const double t = parameter_;
+      const Point at = piece.point(t), speed = piece.derivative(t);
+      const double slope = speed.squaredNorm() + at.dot(piece.second_derivative(t));
+      if (!(slope > 0)) return;
+      const double next = std::clamp(t - at.dot(speed) / slope, 0.0, 1.0);
+      const double distance = piece.point(next).norm();
+      if (next == t || !(distance <= distance_ + tolerance_ / 16)) return;
+      parameter_ = next, distance_ = distance;
+    }
+  }
+
+  double tolerance_ = 0;
+  double least_ = std::numeric_limits<double>::infinity();
+  double distance_ = std::numeric_limits<double>::infinity();  // at parameter_
+  double parameter_ = 0;
+};
+
+}  // namespace detail
+
+}  // namespace tutavia

@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tutavia/certify/piece_proof.hpp"
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/bitangent.hpp"
+#include "tutavia/geometry/clothoid.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/geometry/spiral_pair.hpp"
+
+/// \file
+/// How the bends of a taut string become spirals.
+
+namespace tutavia {
+
+namespace detail {
+
+/// A taut string whose circles are made larger by a margin each, so that there is room for spirals
+/// between the straight ways and the old circles.
+///
+/// A bend that does not get its spirals proved gives up half its margin, and in the end all of it:
+/// then it is an arc of the old circle. So do the bends at both ends of a way that is not proved.
+/// When no margin is left the string is what it was.
+template <class S>
+class SpiralString {
+ public:
+  struct Options {
+    double margin;              ///< most by which a circle grows [m]
+    double min_turning_radius;  ///< [m]
+    bool has_beziers;           ///< cubic Bezier spirals in the place of clothoids
+  };
+
+  /// \pre the curve is made of segments and arcs
+  SpiralString(const S& space, const Curve& curve, const Options& options)
+      : space_(space), options_(options) {
+    take(curve);
+  }
+
+  /// Makes the circles larger. Fails with `not_proved`, or what the budget says; then there is no
+  /// curve.
+  std::optional<Failure> widen(const Budget& budget) {
+    for (bool changed = true; changed;) {
+      if (const auto exceeded = budget.exceeded()) {
+        return Failure{.code = *exceeded, .detail = "while smoothing"};
+      }
+      changed = false;
+      if (!draw_ways() || !draw_bends() || !prove()) changed = true;
+      if (failure_) return failure_;
+    }
+    return std::nullopt;
+  }
+
+  /// Whether the string as it was kept the least turning radius.
+  bool was_gentle() const {
+    return std::all_of(bends_.begin(), bends_.end(), [&](const Bend& bend) {
+      return bend.turn == 0 || bend.core.radius >= options_.min_turning_radius;
+    });
+  }
+
+  Curve curve() const {
+    Curve curve;
+    for (std::size_t i = 0; i != none; i = bends_[i].next) {
+      for_each_piece(i, [&](const auto& piece) { curve.push_back(piece); });
+      if (const Segment rest = rest_of_way(i); rest.a != rest.b) curve.push_back(rest);
+    }
+    if (curve.empty()) curve.push_back(Segment{bends_[0].core.center, bends_[0].core.center});
+    return curve;
+  }
+
+ private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  /// Margins below this part of the whole are not worth it.
+  static constexpr double least_margin = 1.0 / 40;
+  /// Spirals that turn by less are no gentler than a jump of the curvature [rad].
+  static constexpr double least_turn = 0.01;
+
+  /// What takes a bend's place: an arc (of radius 0: the corner), a pair of spirals, or an arc
+  /// between two.
+  enum class Form { arc, pair, spirals };
+  struct Shape {
+    Form form = Form::arc;
+    double radius = 0;  ///< the least [m]
+    double turn = 0;    ///< of each spiral [rad]
+    double leg = 0;     ///< from where they begin to where the way touches the circle [m]
+  };
+  struct Bend {
+    SidedCircle core;  // as it was
+    double turn;       // left positive [rad]
+    double margin;     // [m]
+    double radius;     // of the circle that the ways touch [m]
+    std::size_t previous, next;
+    bool is_stale = true;  // the way to the next bend, and the shape
+    bool may_lift = true;
+    Bitangent out{};    // the way to the next bend
+    double wanted = 0;  // leg of the shape that would be taken if the ways were long enough
+    Shape shape{};
+    int tries = 0;
+  };
+
+  SidedCircle circle(std::size_t i) const {
+    return {bends_[i].core.center, bends_[i].radius, bends_[i].core.side};
+  }
+  bool is_end(std::size_t i) const { return bends_[i].previous == none || bends_[i].next == none; }
+  const Bitangent& way_to(std::size_t i) const { return bends_[bends_[i].previous].out; }
+  double wrap(std::size_t i) const { return bends_[i].core.side * bends_[i].turn; }
+
+  void add(const Point& center, double radius, double turn) {
+    const std::size_t i = bends_.size();
+    if (i > 0) bends_.back().next = i;
+    bends_.push_back({.core = {center, radius, turn >= 0 ? 1 : -1},
+                      .turn = turn,
+                      .margin = options_.margin,
+                      .radius = radius,
+                      .previous = i == 0 ? none : i - 1,
+                      .next = none});
+  }
+
+  /// Takes the string apart: arcs become bends around their centres, other joints bends around
+  /// themselves.
+  void take(const Curve& curve) {
+    add(curve.start(), 0, 0);
+    Point direction = Point::Zero();
+    for (const Piece& piece : curve.pieces()) {
+      if (const Arc* arc = std::get_if<Arc>(&piece)) {
+        const Bend& last = bends_.back();
+        const bool goes_on = bends_.size() > 1 && last.core.center == arc->center &&
+                             last.core.radius == arc->radius && last.turn * arc->sweep > 0;
+        if (goes_on) {
+          bends_.back().turn += arc->sweep;
+        } else {
+          add(arc->center, arc->radius, arc->sweep);
+        }
+        direction = arc->end_direction();
+      } else if (const Segment& way = std::get<Segment>(piece); way.length() > space_.slack()) {
+        const double turn = is_null(direction) ? 0 : deflection(direction, way.start_direction());
+        if (std::abs(turn) > 1e-6) add(way.a, 0, turn);
+        direction = way.end_direction();
+      }
+    }
+    add(curve.end(), 0, 0);
+    for (std::size_t i = 1; i + 1 < bends_.size(); ++i) grow(i);
+    bends_.front().margin = bends_.back().margin = 0;
+  }
+
+  /// Sets a bend's circle to what its margin and the least turning radius ask for.
+  void grow(std::size_t i) {
+    Bend& bend = bends_[i];
+    bend.radius = bend.core.radius + bend.margin;
+    const double least = options_.min_turning_radius;
+    if (least > bend.core.radius) {
+      // The smaller of two circles: one on which an arc of that radius has room for its spirals,
+      // and one that a pair of them touches the old circle with.
+      double wanted = least + bend.margin;
+      if (wrap(i) < widest_pair) {
+        const SpiralPair pair = unit_pair(wrap(i));
+        const double tangent = std::cos(wrap(i) / 2);
+        const double with_pair = (least * pair.drop + inner_radius(i)) * tangent;
+        wanted = std::min(wanted, with_pair * (1 + 1e-3));
+      }
+      bend.radius = std::max(bend.radius, wanted);
+    }
+    make_stale(i);
+  }
+
+  /// A bend's place decides the ways to both sides, so the turns of the bends next to it, so how
+  /// much the bends beyond may take of the ways between, and so what is left of the next ways.
+  void make_stale(std::size_t i) {
+    std::size_t at = i;
+    for (int k = 0; k < 3 && bends_[at].previous != none; ++k) at = bends_[at].previous;
+    for (int k = 0; k < 6 && at != none; ++k, at = bends_[at].next) bends_[at].is_stale = true;
+  }
+
+  /// Takes margin from a bend. Returns whether it had any.
+  bool shrink(std::size_t i) {
+    Bend& bend = bends_[i];
+    if (is_end(i) || bend.margin == 0) return false;
+    bend.margin /= 2;
+    if (bend.margin < least_margin * options_.margin) bend.margin = 0;
+    grow(i);
+    return true;
+  }
+
+  /// Makes room on the way after bend i, which is not free.
+  void yield_way(std::size_t i) {
+    const std::size_t j = bends_[i].next;
+    const bool lowered = unlift(i, j) | shrink(i) | shrink(j);
+    if (!lowered) give_up(i);
+  }
+  /// Makes room at bend i, which is not free.
+  void yield_bend(std::size_t i) {
+    if (shrink(i)) return;
+    const std::size_t before = bends_[i].previous, after = bends_[i].next;
+    const bool lowered = unlift(before, i) | unlift(i, after) | shrink(before) | shrink(after);
+    if (!lowered) give_up(i);
+  }
+
+  void give_up(std::size_t i) {
+    const Point& p = bends_[i].core.center;
+    failure_ = Failure{.code = PlanError::not_proved,
+                       .detail = "no bend that is gentle enough can be proved around (" +
+                                 std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")"};
+  }
+
+  /// Puts back the bends between two others that the string had left. Returns whether there were
+  /// any.
+  bool unlift(std::size_t i, std::size_t j) {
+    if (j == i + 1) return false;
+    for (std::size_t k = i + 1; k <= j; ++k) {
+      bends_[k - 1].next = k;
+      bends_[k].previous = k - 1;
+    }
+    for (std::size_t k = i + 1; k < j; ++k) {
+      bends_[k].may_lift = false;
+      bends_[k].margin = 0;
+      grow(k);
+    }
+    return true;
+  }
+
+  /// The ways between the circles, and the turns around them. False: they have changed.
+  bool draw_ways() {
+    bool fits = true;
+    for (std::size_t i = 0; bends_[i].next != none; i = bends_[i].next) {
+      const std::size_t j = bends_[i].next;
+      if (!bends_[i].is_stale && !bends_[j].is_stale) continue;
+      if (const auto way = bitangent(circle(i), circle(j))) {
+        bends_[i].out = *way;
+      } else {
+        yield_way(i);
+        fits = false;
+      }
+    }
+    if (!fits || failure_) return false;
+    for (std::size_t i = bends_[0].next; bends_[i].next != none; i = bends_[i].next) {
+      Bend& bend = bends_[i];
+      if (!bend.is_stale) continue;
+      const double turn = deflection(way_to(i).direction, bend.out.direction);
+      bend.turn += std::remainder(turn - bend.turn, 2 * std::numbers::pi);
+      if (wrap(i) > 1e-6 || (!bend.may_lift && wrap(i) > -1e-6)) continue;
+      fits = false;
+      if (bend.may_lift) {  // the string has left this circle
+        bends_[bend.previous].next = bend.next;
+        bends_[bend.next].previous = bend.previous;
+        make_stale(bend.previous);
+        make_stale(bend.next);
+      } else {
+        yield_bend(i);
+      }
+    }
+    return fits;
+  }
+
+  static constexpr double widest_pair = 0.9 * std::numbers::pi;
+
+  SpiralPair unit_pair(double wrap) const {
+    return options_.has_beziers ? SpiralPair::of_beziers(wrap) : SpiralPair::of_clothoids(wrap);
+  }
+  /// How near spirals may come to a circle's centre: a little more than the circle, so that few
+  /// looks prove it.
+  double inner_radius(std::size_t i) const { return bends_[i].core.radius + bends_[i].margin / 64; }
+
+  /// The gentlest shape of a bend that takes at most `room` of the ways before and after it.
+  Shape shape(std::size_t i, double room) const {
+    const Bend& bend = bends_[i];
+    const double wrap = this->wrap(i), inner = inner_radius(i);
+    const Shape arc{Form::arc, bend.radius, 0, 0};
+    if (!(bend.radius > bend.core.radius) || !(wrap > 1e-6)) return arc;
+    if (wrap < widest_pair) {
+      const SpiralPair pair = unit_pair(wrap);
+      const double to_corner = bend.radius / std::cos(wrap / 2);
+      const double touch = bend.radius * std::tan(wrap / 2);  // from there to the corner
+      const double radius = std::min((to_corner - inner) / pair.drop, (room + touch) / pair.leg);
+      // Inside the circle that the ways touch: no longer than its arc.
+      const bool is_inside = radius * pair.drop >= to_corner - bend.radius;
+      if (radius >= std::max(inner, options_.min_turning_radius) && is_inside) {
+        return {Form::pair, radius, wrap / 2, radius * pair.leg - touch};
+      }
+    }
+    return options_.has_beziers ? arc : spirals(i, room, arc);
+  }
+
+  /// Spirals on to an arc around the same centre, as long as there is room and the arc keeps off
+  /// the old circle; `arc` where they would be too short.
+  Shape spirals(std::size_t i, double room, const Shape& arc) const {
+    const Bend& bend = bends_[i];
+    const double least = std::max(inner_radius(i), options_.min_turning_radius);
+    // What the centre is moved by is nearly as the square of the turn, and its place along the way
+    // as the turn: a few steps of scaling find what fits.
+    double turn = std::min({wrap(i) / 2, std::sqrt(6 * (bend.radius / least - 1)), 1.5});
+    Shape result = arc;
+    for (int k = 0; k < 6 && turn > least_turn; ++k) {
+      const UnitSpiral unit = UnitSpiral::turning(turn);
+      result = {Form::spirals, bend.radius / (1 + unit.centre.y()), turn, 0};
+      result.leg = result.radius * unit.centre.x();
+      const double shift = (bend.radius / least - 1) / unit.centre.y();
+      const double scale = std::min(std::sqrt(shift), room / result.leg);
+      if (scale >= 1) return result;
+      turn *= scale * (1 - 1e-6);
+    }
+    return arc;
+  }
+
+  /// The shapes of all bends. False: circles have changed.
+  bool draw_bends() {
+    for (std::size_t i = bends_[0].next; bends_[i].next != none; i = bends_[i].next) {
+      if (!bends_[i].is_stale) continue;
+      bends_[i].wanted = shape(i, std::numeric_limits<double>::infinity()).leg;
+    }
+    bool fits = true;
+    for (std::size_t i = bends_[0].next; bends_[i].next != none; i = bends_[i].next) {
+      Bend& bend = bends_[i];
+      if (!bend.is_stale) continue;
+      bend.shape = shape(i, std::min(room(bend.previous, i), room(i, i)));
+      if (bend.shape.radius >= options_.min_turning_radius) continue;
+      // Larger circles give gentler shapes, if the ways are long enough.
+      if (bend.tries++ < 20) {
+        grow(i);
+      } else {
+        yield_bend(i);
+      }
+      fits = false;
+    }
+    return fits;
+  }
+  /// How much of the way after bend i the bend `whose` may take, one of the two at its ends: what
+  /// it wants if there is enough for both, else its share. Enough is left to have a direction.
+  double room(std::size_t i, std::size_t whose) const {
+    const double wanted = bends_[i].wanted + bends_[bends_[i].next].wanted;
+    const double length = 0.99 * bends_[i].out.length;
+    return wanted <= length ? bends_[whose].wanted : length * (bends_[whose].wanted / wanted);
+  }
+
+  /// Proves what is new. False: something is not proved, and circles have changed.
+  bool prove() {
+    blocked_bends_.clear();
+    blocked_ways_.clear();
+    for (std::size_t i = 0; i != none; i = bends_[i].next) {
+      if (!bends_[i].is_stale) continue;
+      bends_[i].is_stale = false;
+      bool proved = true;
+      for_each_piece(i,
+                     [&](const auto& piece) { proved = proved && is_proved_free(space_, piece); });
+      if (!proved) blocked_bends_.push_back(i);
+      if (!is_proved_free(space_, rest_of_way(i))) blocked_ways_.push_back(i);
+    }
+    for (const std::size_t i : blocked_bends_) yield_bend(i);
+    for (const std::size_t i : blocked_ways_) yield_way(i);
+    return blocked_bends_.empty() && blocked_ways_.empty();
+  }
+
+  /// Where the shape of a bend ends, and where it begins: there, where nothing is left of the way
+  /// before it.
+  Point last(std::size_t i) const {
+    if (is_end(i)) return bends_[i].core.center;
+    return advance(bends_[i].out.from, bends_[i].shape.leg, bends_[i].out.direction);
+  }
+  Point first(std::size_t i) const {
+    if (is_end(i)) return bends_[i].core.center;
+    const Point begin = advance(way_to(i).to, -bends_[i].shape.leg, way_to(i).direction);
+    const Point end = last(bends_[i].previous);
+    return distance(begin, end) <= space_.slack() ? end : begin;
+  }
+  /// What the bends at its ends leave of the way after bend i.
+  Segment rest_of_way(std::size_t i) const {
+    const std::size_t j = bends_[i].next;
+    return {last(i), j == none ? last(i) : first(j)};
+  }
+
+  template <class Visit>
+  void for_each_piece(std::size_t i, Visit visit) const {
+    if (is_end(i)) return;
+    const Bend& bend = bends_[i];
+    const Shape& shape = bend.shape;
+    const Point from = first(i), to = last(i);
+    const int side = bend.core.side;
+    if (shape.form == Form::arc) {
+      Point at = from;
+      for_each_arc(circle(i), from, to, bend.turn, space_.slack(), [&](const Arc& arc) {
+        visit(arc);
+        at = arc.b;
+      });
+      if (at != to) visit(Segment{at, to});
+      return;
+    }
+    const Point &in = way_to(i).direction, &out = bend.out.direction;
+    if (shape.form == Form::pair && options_.has_beziers) {
+      const double leg = shape.leg + bend.radius * std::tan(wrap(i) / 2);
+      auto pair = bezier_spirals(advance(from, leg, in), in, out, leg);
+      pair[0].points.front() = from;
+      pair[1].points.back() = to;
+      visit(pair[0]);
+      visit(pair[1]);
+      return;
+    }
+    const double bent = side / shape.radius, length = 2 * shape.turn * shape.radius;
+    const Clothoid before = Clothoid::from(from, heading(in), 0, bent / length, length);
+    const Clothoid back =
+        Clothoid::from(to, heading(out) + std::numbers::pi, 0, -bent / length, length);
+    Clothoid after = back.reversed();
+    if (shape.form == Form::pair) {
+      after.a = before.b;
+      visit(before);
+      visit(after);
+      return;
+    }
+    visit(before);
+    Point at = before.b;
+    const SidedCircle around{bend.core.center, shape.radius, side};
+    for_each_arc(around, before.b, after.a, bend.turn - 2 * side * shape.turn, space_.slack(),
+                 [&](const Arc& arc) {
+                   visit(arc);
+                   at = arc.b;
+                 });
+    after.a = at;
+    visit(after);
+  }
+
+  const S& space_;
+  Options options_;
+  std::vector<Bend> bends_;
+  std::optional<Failure> failure_;
+  std::vector<std::size_t> blocked_bends_, blocked_ways_;
+};
+
+}  // namespace detail
+
+}  // namespace tutavia
