@@ -12,6 +12,7 @@
 #include "tutavia/pull/redundant_node_removal.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
+#include "tutavia/smooth/clothoid_smoother.hpp"
 
 namespace {
 
@@ -90,6 +91,10 @@ TEST_CASE("Bezier corners turn, move, scale and run backwards with their route")
 
 TEST_CASE("B-splines turn, move, scale and run backwards with their route") {
   check_invariance([](double reach) { return BSplineSmoother{.reach = reach}; });
+}
+
+TEST_CASE("paths of continuous curvature turn, move, scale and run backwards with their route") {
+  check_invariance([](double) { return ClothoidSmoother{}; });
 }
 
 }  // namespace
