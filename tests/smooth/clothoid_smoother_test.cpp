@@ -169,8 +169,9 @@ TEST_CASE("paths of continuous curvature through random worlds are proved", "[so
       if (!test::winds_around_nothing(task->world, smooth, string)) ++crossed;
       if (spirals == Spirals::cubic_beziers) continue;
       ++paths;
-      sum += after.length / before.length;
-      longest = std::max(longest, after.length / before.length);
+      const double ratio = before.length > 0 ? after.length / before.length : 1;
+      sum += ratio;
+      longest = std::max(longest, ratio);
       if (after.max_curvature_jump < 1e-9 / r) ++continuous;
     }
     const double radius = r * random.uniform(0.5, 3);
