@@ -94,6 +94,8 @@
 #include "tutavia/search/penalty_astar.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/route.hpp"
+#include "tutavia/search/salp_swarm.hpp"
+#include "tutavia/search/ssa_astar.hpp"
 #include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/search/tangent_map.hpp"
 #include "tutavia/search/theta_star.hpp"

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <cstdio>
+#include <iterator>
+
+#include "support/free_route.hpp"
+#include "support/paper_maps.hpp"
+#include "support/random_grids.hpp"
+#include "support/searcher_contract.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/search/ssa_astar.hpp"
+#include "tutavia/space/cell_space.hpp"
+
+namespace {
+
+using namespace tutavia;
+
+TEST_CASE("SSA-A* keeps the searcher contract") {
+  test::searcher_contract(SsaAStar{});
+  test::searcher_contract(SsaAStar{{.chebyshev = 0.5, .euclidean = 0.5, .density = 0.1}});
+}
+
+TEST_CASE("SSA-A* keeps its bound on random grids and finds a path where there is one", "[soak]") {
+  const std::uint64_t seed = 900;
+  Random random(seed);
+  SsaAStar::Scratch scratch;
+  AStar::Scratch reference;
+  NoObserver nobody;
+  std::size_t found = 0;
+  double worst = 0;
+  for (std::size_t round = 0; round < test::scaled(500); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const MovementRule rules[] = {MovementRule::no_cut, MovementRule::allow,
+                                  MovementRule::no_squeeze, MovementRule::four_connected};
+    const auto space =
+        CellSpace::build(test::random_grid(random, 40), {.movement = rules[round % 4]}).value();
+    const auto place = [&] { return space.frame().point(test::random_cell(random, space.grid())); };
+    const Query query{.start = place(), .goal = place()};
+    const SsaWeights w{random.uniform(0, 2), random.uniform(0, 2), random.uniform(0, 1)};
+    const auto shortest = AStar{}.search(space, query, reference, nobody);
+    const auto route = SsaAStar{w}.search(space, query, scratch, nobody);
+    REQUIRE(route.has_value() == shortest.has_value());
+    if (!shortest) continue;
+    ++found;
+    REQUIRE(test::is_free(space, *route));
+    const double bound = std::max(1.0, w.chebyshev + w.euclidean) * shortest->cost + w.density;
+    CHECK(route->cost <= bound * (1 + 1e-8));
+    CHECK(route->cost >= shortest->cost * (1 - 1e-8));
+    if (shortest->cost > 0) worst = std::max(worst, route->cost / shortest->cost);
+  }
+  std::printf("SSA-A*: %zu paths, longest %.3f times the shortest\n", found, worst);
+  CHECK(found > test::scaled(100));
+}
+
+/// The spaces and queries of one of the paper's sets.
+struct PaperSet {
+  std::vector<CellSpace> spaces;
+  std::vector<Query> queries;
+
+  explicit PaperSet(const std::string& name) {
+    for (OccupancyGrid& grid : test::ssa_grids(name)) {
+      const int last = grid.width() - 1;
+      spaces.push_back(
+          CellSpace::build(std::move(grid), {.movement = MovementRule::allow}).value());
+      const Frame& frame = spaces.back().frame();
+      queries.push_back({.start = frame.point({0, 0}), .goal = frame.point({last, last})});
+    }
+  }
+};
+
+TEST_CASE("weights tuned on some grids save expansions on others of their kind") {
+  for (const std::string kind : {"cluster", "random"}) {
+    const PaperSet small(kind + "_20"), large(kind + "_35");
+    SsaTraining training{.length_penalty = 8};
+    training.swarm.iterations = 30;
+    const auto tuned = tune_ssa(std::span<const CellSpace>(small.spaces),
+                                std::span<const Query>(small.queries), training);
+    INFO((tuned ? "" : tuned.error().detail));
+    REQUIRE(tuned);
+    const SsaWeights& w = tuned->weights;
+    double expanded = 0, of_euclidean = 0, of_octile = 0, length = 0, shortest = 0;
+    SsaAStar::Scratch scratch;
+    AStar::Scratch other;
+    NoObserver nobody;
+    for (std::size_t i = 0; i < large.spaces.size(); ++i) {
+      const auto& space = large.spaces[i];
+      const auto& query = large.queries[i];
+      const auto route = SsaAStar{w}.search(space, query, scratch, nobody);
+      const auto euclidean =
+          AStar{.heuristic = Heuristic::euclidean}.search(space, query, other, nobody);
+      const auto octile = AStar{}.search(space, query, other, nobody);
+      REQUIRE((route && euclidean && octile));
+      expanded += double(route->stats.expanded);
+      of_euclidean += double(euclidean->stats.expanded);
+      of_octile += double(octile->stats.expanded);
+      length += route->cost;
+      shortest += octile->cost;
+    }
+    std::printf(
+        "SSA-A*, %s grids: weights (%.3f, %.3f, %.3f), expansions %.1f %% of A* with the Euclidean "
+        "heuristic, %.1f %% of octile A*; length + %.2f %%\n",
+        kind.c_str(), w.chebyshev, w.euclidean, w.density, 100 * expanded / of_euclidean,
+        100 * expanded / of_octile, 100 * (length / shortest - 1));
+    CHECK(expanded < 0.36 * of_euclidean);
+    CHECK(length < 1.025 * shortest);
+    CHECK(std::is_sorted(tuned->training.rbegin(), tuned->training.rend()));
+    CHECK(tuned->training.back() == tuned->fitness);
+    training.swarm.threads = 1;
+    const auto again = tune_ssa(std::span<const CellSpace>(small.spaces),
+                                std::span<const Query>(small.queries), training);
+    CHECK(again->training == tuned->training);
+  }
+}
+
+TEST_CASE("SSA-A* and its training refuse what they cannot use") {
+  const PaperSet set("random_20");
+  const auto refused = [&](const SsaWeights& w) {
+    SsaAStar::Scratch scratch;
+    NoObserver nobody;
+    const auto route = SsaAStar{w}.search(set.spaces[0], set.queries[0], scratch, nobody);
+    REQUIRE_FALSE(route);
+    return route.error().code;
+  };
+  CHECK(refused({.chebyshev = -0.1}) == PlanError::invalid_option);
+  CHECK(refused({.euclidean = std::nan("")}) == PlanError::invalid_option);
+  CHECK(refused({.density = 1001}) == PlanError::invalid_option);
+  const std::span<const CellSpace> spaces(set.spaces);
+  std::vector<Query> queries = set.queries;
+  const auto code = [&](std::span<const CellSpace> s, const SsaTraining& training) {
+    const auto tuned = tune_ssa(s, std::span<const Query>(queries), training);
+    REQUIRE_FALSE(tuned);
+    return tuned.error();
+  };
+  CHECK(code(spaces.first(3), {}).code == PlanError::invalid_input);
+  CHECK(code(spaces, {.length_penalty = -1}).code == PlanError::invalid_option);
+  CHECK(code(spaces, {.swarm = {.population = 0}}).code == PlanError::invalid_option);
+  CHECK(code(spaces, {.lower = {-1, 0, 0}, .swarm = {.iterations = 1}}).code ==
+        PlanError::invalid_option);
+  queries[4].goal = {-5, 0};
+  const Failure failure = code(spaces, {});
+  CHECK(failure.code == PlanError::invalid_input);
+  CHECK(failure.detail.find("query 4") != std::string::npos);
+}
+
+}  // namespace
