@@ -16,6 +16,7 @@
 #include "tutavia/search/jps.hpp"
 #include "tutavia/search/jps_plus.hpp"
 #include "tutavia/search/penalty_astar.hpp"
+#include "tutavia/search/rea_star.hpp"
 #include "tutavia/search/weighted_astar.hpp"
 
 namespace {
@@ -58,6 +59,8 @@ Engines engines() {
          return prepared_engine<JpsPlus>(s, grid_bytes(s),
                                          [](const auto& table) { return JpsPlus{table}; });
        }},
+      {"rea_star",
+       [](const CellSpace& s) { return engine(s, ReaStar{}, grid_bytes(s) + grid_bytes(s)); }},
       {"textbook_astar",
        [](const CellSpace& s) { return baseline_engine<baseline::TextbookAStar>(s); }},
       {"boost_astar",

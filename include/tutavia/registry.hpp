@@ -21,6 +21,7 @@
 #include "tutavia/search/jps_plus.hpp"
 #include "tutavia/search/jps_theta_star.hpp"
 #include "tutavia/search/penalty_astar.hpp"
+#include "tutavia/search/rea_star.hpp"
 #include "tutavia/search/ssa_astar.hpp"
 #include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/search/theta_star.hpp"
@@ -123,7 +124,8 @@ std::vector<AnySearch<S>> all_searches() {
                                 erase_search<S>(ThetaStar{}),
                                 erase_search<S>(LazyThetaStar{}),
                                 erase_search<S>(JpsThetaStar{}),
-                                erase_search<S>(SsaAStar{})};
+                                erase_search<S>(SsaAStar{}),
+                                erase_search<S>(ReaStar{})};
   if constexpr (Searcher<AnyAngle, S>) all.push_back(erase_search<S>(AnyAngle{}));
   if constexpr (requires(const S& s) { s.workspace(); }) {
     all.push_back(erase_search<S>(TangentGraph{}));

@@ -93,6 +93,7 @@
 #include "tutavia/search/navigation_mesh.hpp"
 #include "tutavia/search/penalty_astar.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/rea_star.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/search/salp_swarm.hpp"
 #include "tutavia/search/ssa_astar.hpp"

@@ -44,6 +44,7 @@ class LatticeSpace : public InflatedSpace {
   const Frame& frame() const { return layer_.frame(); }
   MovementRule movement() const { return layer_.movement(); }
   const StopPlanes& stop_planes() const { return layer_.stop_planes(); }
+  const OccupancyGrid& columns() const { return layer_.columns(); }
 
   /// Joins `p` to the free nodes within sqrt(2) delta that it reaches by a free segment; to the
   /// node alone where it lies within 1e-9 delta of one. None where there is no such node.
