@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The shortest path of a disc among polygons: its time, without and with prepared tangents, beside
-/// A* on a lattice, and how much longer other paths are.
+/// A* on a lattice, and how much longer other paths are; and the time to prepare tangents, and to
+/// update them when one polygon moves.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "map_benchmark.hpp"
@@ -23,6 +25,7 @@
 #include "tutavia/search/theta_star.hpp"
 #include "tutavia/smooth/homotopy_refine.hpp"
 #include "tutavia/space/lattice_space.hpp"
+#include "tutavia/world/changed_boxes.hpp"
 
 namespace {
 
@@ -38,7 +41,7 @@ const std::vector<std::string> kinds{"astar",       "astar+shortcut",   "theta_s
 /// Sums over the worlds with one number of polygons.
 struct Row {
   std::size_t polygons = 0, worlds = 0, wrong = 0;
-  double astar_us = 0, optimum_us = 0, prepared_us = 0, prepare_ms = 0, expanded = 0;
+  double astar_us = 0, optimum_us = 0, prepared_us = 0, prepare_ms = 0, update_ms = 0, expanded = 0;
   double slowest_us = 0, slowest_prepared_us = 0;
   std::vector<double> ratios = std::vector<double>(kinds.size(), 0.0);
 
@@ -56,6 +59,23 @@ auto timed(std::size_t rounds, double& micros, const Run& run) {
     micros = std::min(micros, micros_since(begin));
   }
   return result;
+}
+
+/// Moves a polygon by a metre and back again. The least time of one update, in microseconds;
+/// negative where the tangents are not the same as before.
+double update_time(const Workspace& workspace, const TangentMap& tangents, std::size_t rounds) {
+  Workspace moved = workspace;
+  auto& polygon = std::get<Polygon>(moved.obstacles[moved.obstacles.size() / 2]);
+  for (Point& p : polygon.outer) p.x() += p.x() < 50 ? 1 : -1;
+  const InflatedSpace here = value_or_throw(InflatedSpace::build(workspace));
+  const InflatedSpace there = value_or_throw(InflatedSpace::build(moved));
+  const auto changed = changed_boxes(workspace, moved);
+  double forth = 0, back = 0;
+  const auto after =
+      value_or_throw(timed(rounds, forth, [&] { return tangents.updated(there, changed); }));
+  const auto again =
+      value_or_throw(timed(rounds, back, [&] { return after.updated(here, changed); }));
+  return again == tangents ? 0.5 * (forth + back) : -1;
 }
 
 /// False where A* has no route.
@@ -76,6 +96,9 @@ bool run_world(const Scene& scene, std::size_t rounds, Row& row) {
   const auto begin = Clock::now();
   const TangentGraph prepared{.tangents = value_or_throw(TangentGraph::prepare(space))};
   row.prepare_ms += micros_since(begin) / 1000;
+  const double update_us = update_time(scene.workspace, *prepared.tangents, rounds);
+  row.update_ms += update_us / 1000;
+  if (update_us < 0) ++row.wrong;
   const auto again =
       timed(rounds, prepared_us, [&] { return prepared.search(space, query, scratch, nobody); });
 
@@ -110,7 +133,7 @@ int run(const polygon_worlds::Arguments& args) {
               static_cast<unsigned long long>(args.seed));
   std::string csv =
       "polygons,worlds,astar_us,optimum_us,slowest_us,prepared_us,slowest_prepared_us,prepare_ms,"
-      "expanded,wrong";
+      "update_ms,expanded,wrong";
   for (const std::string& kind : kinds) csv += "," + kind;
   csv += '\n';
   bool good = true;
@@ -121,10 +144,12 @@ int run(const polygon_worlds::Arguments& args) {
         args, polygons, [&](const Scene& scene) { return run_world(scene, args.rounds, row); });
     std::printf(
         "%zu polygons: A* %.1f us, optimum %.1f us (%.2f x A*, slowest %.1f us), prepared %.1f us "
-        "(%.2f x A*, slowest %.1f us; prepared in %.1f ms), %.0f expansions, %zu wrong\n",
+        "(%.2f x A*, slowest %.1f us; prepared in %.1f ms, updated in %.2f ms), %.0f expansions, "
+        "%zu wrong\n",
         polygons, row.mean(row.astar_us), row.mean(row.optimum_us), row.optimum_us / row.astar_us,
         row.slowest_us, row.mean(row.prepared_us), row.prepared_us / row.astar_us,
-        row.slowest_prepared_us, row.mean(row.prepare_ms), row.mean(row.expanded), row.wrong);
+        row.slowest_prepared_us, row.mean(row.prepare_ms), row.mean(row.update_ms),
+        row.mean(row.expanded), row.wrong);
     std::printf("  length / optimum:");
     for (std::size_t k = 0; k < kinds.size(); ++k) {
       std::printf(" %s %.5f", kinds[k].c_str(), row.mean(row.ratios[k]));
@@ -132,10 +157,11 @@ int run(const polygon_worlds::Arguments& args) {
     std::puts("");
     std::fflush(stdout);
     char line[256];
-    std::snprintf(line, sizeof line, "%zu,%zu,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f,%zu", polygons,
-                  row.worlds, row.mean(row.astar_us), row.mean(row.optimum_us), row.slowest_us,
-                  row.mean(row.prepared_us), row.slowest_prepared_us, row.mean(row.prepare_ms),
-                  row.mean(row.expanded), row.wrong);
+    std::snprintf(line, sizeof line, "%zu,%zu,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f,%zu",
+                  polygons, row.worlds, row.mean(row.astar_us), row.mean(row.optimum_us),
+                  row.slowest_us, row.mean(row.prepared_us), row.slowest_prepared_us,
+                  row.mean(row.prepare_ms), row.mean(row.update_ms), row.mean(row.expanded),
+                  row.wrong);
     csv += line;
     for (const double ratio : row.ratios) {
       std::snprintf(line, sizeof line, ",%.7f", row.mean(ratio));

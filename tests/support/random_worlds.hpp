@@ -46,13 +46,7 @@ class WorldGenerator {
     return snapped_ ? snap(p).cwiseMax(b.min).cwiseMin(b.max) : p;
   }
 
-  Random& random() { return random_; }
-
- private:
-  Point snap(const Point& p) const {
-    return snapped_ ? Point(std::round(2 * p.x()) / 2, std::round(2 * p.y()) / 2) : p;
-  }
-
+  /// One more obstacle of a world just drawn, snapped if that is.
   Obstacle obstacle(const Box& bounds) {
     const double size = bounds.width() * random_.uniform(0.02, 0.2);
     const Point centre{random_.uniform(bounds.min.x(), bounds.max.x()),
@@ -88,6 +82,14 @@ class WorldGenerator {
     }
   }
 
+  /// The place for a vertex of a world just drawn: on the lattice, if that is snapped.
+  Point snap(const Point& p) const {
+    return snapped_ ? Point(std::round(2 * p.x()) / 2, std::round(2 * p.y()) / 2) : p;
+  }
+
+  Random& random() { return random_; }
+
+ private:
   /// A ring around `centre` at random rising angles, radii between those given.
   Ring ring(const Point& centre, std::pair<double, double> radii, double start,
             std::uint64_t count) {

@@ -247,7 +247,7 @@ class TangentSearch {
     const TangentScratch::Arrival from = scratch_.arrivals[entry.parent];
     const Step next = *step(from, entry.node);
     if (is_dominated(entry.node, next)) return false;
-    if (!entry.is_proved && !is_proved_free(space_, Segment{next.way.from, next.way.to})) {
+    if (!entry.is_proved && !space_.segment_free(next.way.from, next.way.to)) {
       return false;
     }
     const SidedCircle circle = circle_of(from.node);

@@ -26,6 +26,9 @@ struct Disc {
 /// What the robot has to keep away from.
 using Obstacle = std::variant<Polygon, Disc>;
 
+/// The box around an obstacle.
+Box box_of(const Obstacle& obstacle);
+
 /// Bounds, obstacles and the distance to keep from them.
 ///
 /// Free space is closed: the points of `bounds` at a distance of `safety_radius` or more from every
@@ -89,22 +92,27 @@ inline std::string complaint(const Obstacle& obstacle, const std::string& name) 
 /// spare [m]: 16 u M. Constructions keep twice this much more than they need.
 inline double rounding_slack(double magnitude) { return 16 * 0x1p-53 * magnitude; }
 
-inline Box Workspace::extent() const {
+inline Box box_of(const Obstacle& obstacle) {
+  if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
+    return Box::around({disc->center}).inflated(disc->radius);
+  }
   Box box;
-  for (const Obstacle& obstacle : obstacles) {
-    if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
-      const Box around = Box::around({disc->center}).inflated(disc->radius);
-      box.include(around.min);
-      box.include(around.max);
-      continue;
-    }
-    const Polygon& polygon = std::get<Polygon>(obstacle);
-    for (const Point& p : polygon.outer) box.include(p);
-    for (const Ring& hole : polygon.holes) {
-      for (const Point& p : hole) box.include(p);
-    }
+  const Polygon& polygon = std::get<Polygon>(obstacle);
+  for (const Point& p : polygon.outer) box.include(p);
+  for (const Ring& hole : polygon.holes) {
+    for (const Point& p : hole) box.include(p);
   }
   return box;
+}
+
+inline Box Workspace::extent() const {
+  Box extent;
+  for (const Obstacle& obstacle : obstacles) {
+    const Box box = box_of(obstacle);
+    extent.include(box.min);
+    extent.include(box.max);
+  }
+  return extent;
 }
 
 inline double Workspace::magnitude() const {
