@@ -58,8 +58,12 @@ inline bool same_curve(const Curve& a, const Curve& b) {
   return true;
 }
 
+/// Whether a search can know that there is no path.
+enum class Completeness { proves_that_there_is_none, gives_up };
+
 template <class A>
-void searcher_contract(const A& algorithm) {
+void searcher_contract(const A& algorithm,
+                       Completeness completeness = Completeness::proves_that_there_is_none) {
   static_assert(Searcher<A, LatticeSpace>);
 
   for (const Scene& scene : {maps::array(), maps::complex(), maps::maze()}) {
@@ -128,7 +132,11 @@ void searcher_contract(const A& algorithm) {
   split.obstacles.push_back(Polygon{{{1.9, 0}, {2.1, 0}, {2.1, 4}, {1.9, 4}}});
   const auto two_rooms = LatticeSpace::build(split, {.resolution = 0.1}).value();
   const PlanError no_way = failure_of(algorithm, two_rooms, good);
-  CHECK((no_way == PlanError::unreachable || no_way == PlanError::unreachable_at_resolution));
+  if (completeness == Completeness::gives_up) {
+    CHECK(no_way == PlanError::budget_exhausted);
+  } else {
+    CHECK((no_way == PlanError::unreachable || no_way == PlanError::unreachable_at_resolution));
+  }
 
   const std::uint64_t seed = 20;
   WorldGenerator worlds(seed);

@@ -94,4 +94,28 @@ TEST_CASE("the ellipse of the complex map has its corners on an ellipse", "[worl
   }
 }
 
+TEST_CASE("the scenes of the sampling paper go from corner to corner, free with room for a robot",
+          "[world]") {
+  for (Scene scene : {maps::rrt_scene_1(), maps::rrt_scene_2()}) {
+    CAPTURE(scene.name);
+    CHECK(validate(scene.workspace).has_value());
+    CHECK(scene.workspace.safety_radius == 0);
+    CHECK(scene.workspace.bounds.max == Point(50, 50));
+    CHECK(scene.workspace.obstacles.size() == (scene.name == "rrt_scene_1" ? 5 : 6));
+    CHECK(scene.start == Point(0, 0));
+    CHECK(scene.goals == std::vector<Point>{{50, 50}});
+    CHECK(scene.resolution == 0.5);
+    double area = 0;  // of the rectangles
+    for (const Obstacle& obstacle : scene.workspace.obstacles) {
+      if (const Polygon* polygon = std::get_if<Polygon>(&obstacle)) {
+        CHECK(signed_area_twice(polygon->outer) > 0);
+        area += signed_area_twice(polygon->outer) / 2;
+      } else {
+        CHECK(std::get<Disc>(obstacle).radius == 5);
+      }
+    }
+    CHECK(area == (scene.name == "rrt_scene_1" ? 80 + 160 + 96 + 128 : 96 + 72 + 84 + 96));
+  }
+}
+
 }  // namespace

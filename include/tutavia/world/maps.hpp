@@ -7,11 +7,14 @@
 #include "tutavia/world/scene.hpp"
 
 /// \file
-/// The maps of the DSP paper: array, complex and maze.
+/// The maps of two papers: array, complex and maze, and two scenes for sampling.
 ///
-/// Source: Abdulshaheed 2025, "A Delta-Smoothed Path Algorithm". The paper prints pictures and
-/// lengths, no coordinates: the geometry is a reconstruction, fitted until the published A* lengths
-/// came out. Lattice spacing 0.2 m as published, safety radius 0.3 m chosen.
+/// Source of the first three: Abdulshaheed 2025, "A Delta-Smoothed Path Algorithm". The paper
+/// prints pictures and lengths, no coordinates: the geometry is a reconstruction, fitted until the
+/// published A* lengths came out. Lattice spacing 0.2 m as published, safety radius 0.3 m chosen.
+/// Source of the scenes: the improved RRT* of MM Science Journal, October 2023 (RRTS), likewise
+/// reconstructed from its pictures: 50 x 50 m with five and six obstacles, from corner to corner, a
+/// robot without extent.
 
 namespace tutavia::maps {
 /// Four by four rectangular pillars in 16 x 16 m.
@@ -94,6 +97,43 @@ inline Scene maze() {
   scene.start = {2, 1};
   scene.goals = {{14.5, 14.5}, {7, 14}, {14, 6}, {2, 14}};
   scene.resolution = 0.2;
+  return scene;
+}
+
+namespace detail {
+
+inline Polygon rectangle(double left, double bottom, double right, double top) {
+  return Polygon{{{left, bottom}, {right, bottom}, {right, top}, {left, top}}};
+}
+
+inline Scene rrt_scene() {
+  Scene scene;
+  scene.workspace.bounds = {{0, 0}, {50, 50}};
+  scene.start = {0, 0};
+  scene.goals = {{50, 50}};
+  scene.resolution = 0.5;
+  return scene;
+}
+
+}  // namespace detail
+
+/// The first scene of the RRT* paper: four rectangles and a disc.
+inline Scene rrt_scene_1() {
+  Scene scene = detail::rrt_scene();
+  scene.name = "rrt_scene_1";
+  scene.workspace.obstacles = {detail::rectangle(8, 6, 18, 14), detail::rectangle(6, 24, 16, 40),
+                               Disc{{27, 22}, 5}, detail::rectangle(24, 34, 40, 40),
+                               detail::rectangle(36, 8, 44, 24)};
+  return scene;
+}
+
+/// The second scene of the RRT* paper: four rectangles and two discs.
+inline Scene rrt_scene_2() {
+  Scene scene = detail::rrt_scene();
+  scene.name = "rrt_scene_2";
+  scene.workspace.obstacles = {
+      detail::rectangle(6, 8, 14, 20),  Disc{{22, 10}, 5}, detail::rectangle(18, 24, 30, 30),
+      detail::rectangle(8, 32, 14, 46), Disc{{38, 36}, 5}, detail::rectangle(34, 14, 46, 22)};
   return scene;
 }
 

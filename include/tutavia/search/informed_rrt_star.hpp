@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "tutavia/core/random.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/optimal_tree.hpp"
+#include "tutavia/search/query.hpp"
+#include "tutavia/search/route.hpp"
+#include "tutavia/search/tree_growth.hpp"
+
+/// \file
+/// InformedRrtStar: RRT* that samples where its path can still get shorter.
+
+namespace tutavia {
+
+/// `RrtStar` whose samples, from the first path on, are uniform over the ellipse of the points that
+/// a path through them could make it shorter: those whose distances from start and goal add up to
+/// less than its length.
+///
+/// All else is as with `RrtStar`. Source: Gammell, Srinivasa and Barfoot 2014, "Informed RRT*:
+/// optimal sampling-based path planning focused via direct sampling of an admissible ellipsoidal
+/// heuristic".
+struct InformedRrtStar {
+  static constexpr std::string_view name = "informed_rrt_star";
+  using Scratch = OptimalTreeScratch;
+
+  /// Longest step [m], at most the diagonal of the bounds; none: a 25th of their longer side.
+  std::optional<double> step{};
+  double goal_bias = 0.05;  ///< share of iterations that grow towards the goal until it is reached
+  std::uint32_t iterations = 3000;
+  Neighbours neighbours = Neighbours::k_nearest;
+  double rewire_factor = 1.1;  ///< theory wants more than 1
+
+  template <FreeSpace S, Observer O = NoObserver>
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  O& observer) const;
+};
+
+namespace detail {
+
+/// The points whose distances from two foci add up to a length or less.
+class Ellipse {
+ public:
+  Ellipse(const Point& a, const Point& b, double length)
+      : a_(a), b_(b), length_(length), centre_(lerp(a, b, 0.5)) {
+    const double gap = distance(a, b);
+    along_ = {(b.x() - a.x()) / gap, (b.y() - a.y()) / gap};
+    half_axis_ = length / 2;
+    other_half_axis_ = std::sqrt((length - gap) * (length + gap)) / 2;
+  }
+
+  double area() const { return std::numbers::pi * half_axis_ * other_half_axis_; }
+  bool contains(const Point& p) const { return distance(a_, p) + distance(p, b_) <= length_; }
+
+  /// Uniform over the ellipse: a point of the unit disc, stretched.
+  Point sample(Random& random) const {
+    double u = 0, v = 0;
+    do {
+      u = random.uniform(-1, 1);
+      v = random.uniform(-1, 1);
+    } while (u * u + v * v > 1);
+    return advance(advance(centre_, u * half_axis_, along_), v * other_half_axis_,
+                   perpendicular(along_));
+  }
+
+ private:
+  Point a_, b_;
+  double length_;
+  Point centre_, along_;
+  double half_axis_, other_half_axis_;
+};
+
+/// Uniform over what an ellipse with its foci in the bounds has in common with them: from the
+/// smaller of the two until the other one has it, too.
+template <class Growth>
+Point sample_in(const Ellipse& ellipse, Growth& growth) {
+  const Box& bounds = growth.bounds();
+  if (ellipse.area() < bounds.width() * bounds.height()) {
+    while (true) {
+      const Point p = ellipse.sample(growth.random());
+      if (bounds.contains(p)) return p;
+    }
+  }
+  while (true) {
+    const Point p = growth.sample();
+    if (ellipse.contains(p)) return p;
+  }
+}
+
+}  // namespace detail
+
+template <FreeSpace S, Observer O>
+Expected<Route, Failure> InformedRrtStar::search(const S& space, const Query& query,
+                                                 Scratch& scratch, O& observer) const {
+  const detail::NeighbourRule rule{neighbours, rewire_factor};
+  if (auto failure = rule.check()) return Unexpected{std::move(*failure)};
+  if (auto failure = detail::check_growth(space, query, step, goal_bias, iterations)) {
+    return Unexpected{std::move(*failure)};
+  }
+  detail::TreeGrowth growth(space, query, step, observer);
+  const detail::LengthCost length;
+  detail::OptimalTree tree(growth, rule, length, scratch);
+  if (auto straight = detail::straight_route(space, query)) return std::move(*straight);
+  return detail::grow_route(tree, growth, iterations, [&] {
+    if (!tree.has_path()) return growth.sample(goal_bias);
+    return detail::sample_in(detail::Ellipse(query.start, query.goal, tree.cost()), growth);
+  });
+}
+
+}  // namespace tutavia

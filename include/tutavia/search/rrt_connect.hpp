@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/query.hpp"
+#include "tutavia/search/route.hpp"
+#include "tutavia/search/tree_growth.hpp"
+
+/// \file
+/// RrtConnect: a path, found by two random trees that grow towards each other.
+
+namespace tutavia {
+
+/// Memory of a search that grows a tree from both ends, and the trees that it grew last.
+struct TwoTreesScratch {
+  SearchTree from_start, from_goal;
+
+  template <class Visit>
+  void for_each_edge(const Visit& visit) const {
+    from_start.for_each_edge(visit);
+    from_goal.for_each_edge(visit);
+  }
+};
+
+/// Trees from start and goal in turn take a step towards a random point, and the other one walks
+/// towards its end until it gets there or is stopped.
+///
+/// As `Rrt`, and mostly much quicker: it finds the first path, not a short one. Source: Kuffner and
+/// LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning".
+///
+/// Errors: as `Rrt`; the distance told is the one between the tree from the start and the goal.
+struct RrtConnect {
+  static constexpr std::string_view name = "rrt_connect";
+  using Scratch = TwoTreesScratch;
+
+  /// Longest edge [m], at most the diagonal of the bounds; none: a 25th of their longer side.
+  std::optional<double> step{};
+  std::uint32_t iterations = 3000;  ///< at most
+
+  template <FreeSpace S, Observer O = NoObserver>
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  O& observer) const {
+    if (auto failure = detail::check_growth(space, query, step, 0, iterations)) {
+      return Unexpected{std::move(*failure)};
+    }
+    scratch.from_start.begin(space.bounds(), query.start);
+    scratch.from_goal.begin(space.bounds(), query.goal);
+    if (auto straight = detail::straight_route(space, query)) return std::move(*straight);
+    detail::TreeGrowth growth(space, query, step, observer);
+    SearchTree *tree = &scratch.from_start, *other = &scratch.from_goal;
+    for (std::uint32_t i = 0; i < iterations; ++i, std::swap(tree, other)) {
+      if (auto failure = growth.next_iteration()) {
+        return Unexpected{growth.failure(std::move(*failure), scratch.from_start)};
+      }
+      if (!extend(growth, *tree, growth.sample())) continue;
+      const Point meeting = tree->position(last(*tree));
+      while (extend(growth, *other, meeting)) {
+        if (other->position(last(*other)) != meeting) continue;
+        Route route{Curve::polyline(way(scratch)), 0, growth.stats()};
+        route.cost = route.curve.length();
+        growth.tell_improved(way(scratch), route.cost);
+        return route;
+      }
+    }
+    return Unexpected{growth.failure({.code = PlanError::budget_exhausted}, scratch.from_start)};
+  }
+
+ private:
+  static SearchTree::Node last(const SearchTree& tree) {
+    return static_cast<SearchTree::Node>(tree.size() - 1);
+  }
+
+  /// Adds a step towards a target to a tree, if there is one.
+  template <class Growth>
+  static bool extend(Growth& growth, SearchTree& tree, const Point& target) {
+    const SearchTree::Node nearest = tree.points().nearest(target);
+    const auto end = growth.step_towards(tree, nearest, target);
+    if (end) growth.add(tree, nearest, *end, distance(tree.position(nearest), *end));
+    return end.has_value();
+  }
+
+  /// Through the last nodes of both trees, which are in one place.
+  static std::vector<Point> way(const TwoTreesScratch& scratch) {
+    std::vector<Point> way = scratch.from_start.way_to(last(scratch.from_start));
+    const std::vector<Point> rest = scratch.from_goal.way_to(last(scratch.from_goal));
+    way.insert(way.end(), rest.rbegin() + 1, rest.rend());
+    return way;
+  }
+};
+
+}  // namespace tutavia

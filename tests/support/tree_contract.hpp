@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "support/exact_checker.hpp"
+#include "support/searcher_contract.hpp"
+#include "support/tree_invariants.hpp"
+#include "tutavia/search/rrt_connect.hpp"
+#include "tutavia/search/tree_growth.hpp"
+#include "tutavia/space/cell_space.hpp"
+#include "tutavia/space/inflated_space.hpp"
+#include "tutavia/world/maps.hpp"
+
+/// \file
+/// What every search that grows trees at random must do beside the searcher contract.
+
+namespace tutavia::test {
+
+inline void check_trees(const TreeScratch& scratch) { check_tree(scratch.tree); }
+inline void check_trees(const TwoTreesScratch& scratch) {
+  check_tree(scratch.from_start);
+  check_tree(scratch.from_goal);
+}
+inline std::uint64_t fingerprint(const TreeScratch& scratch) { return fingerprint(scratch.tree); }
+inline std::uint64_t fingerprint(const TwoTreesScratch& scratch) {
+  return fingerprint(scratch.from_start) ^ fingerprint(scratch.from_goal) << 1;
+}
+
+/// The scenes that trees are tried on: those of the RRT* paper for a point and for a robot, and the
+/// built-in maps.
+inline std::vector<Scene> sampling_scenes() {
+  std::vector<Scene> scenes{maps::rrt_scene_1(), maps::rrt_scene_2(), maps::array(),
+                            maps::complex(), maps::maze()};
+  for (std::size_t i = 0; i < 2; ++i) {
+    Scene wide = scenes[i];
+    wide.workspace.safety_radius = 1;
+    scenes.push_back(wide);
+  }
+  return scenes;
+}
+
+/// Collects better paths as they come.
+struct Improvements : NoObserver {
+  std::vector<double> costs;
+  Curve last;
+  std::size_t generated_nodes = 0;
+
+  void generated(const Point&) { ++generated_nodes; }
+  void improved(const Curve& path, double cost) {
+    costs.push_back(cost);
+    last = path;
+  }
+};
+static_assert(AnytimeObserver<Improvements>);
+
+template <class A>
+void check_tree_options(const A& algorithm, const InflatedSpace& space, const Query& query) {
+  const auto refused = [&](const char* option, auto change) {
+    A changed = algorithm;
+    change(changed);
+    typename A::Scratch scratch;
+    NoObserver nobody;
+    const auto route = changed.search(space, query, scratch, nobody);
+    INFO(option);
+    REQUIRE_FALSE(route);
+    CHECK(route.error().code == PlanError::invalid_option);
+    CHECK(route.error().detail.find(option) == 0);
+  };
+  const Box& bounds = space.bounds();
+  for (const double step :
+       {0.0, -1.0, 1.001 * distance(bounds.min, bounds.max), HUGE_VAL, std::nan("")}) {
+    refused("step", [&](A& a) { a.step = step; });
+  }
+  refused("iterations", [](A& a) { a.iterations = 0; });
+  if constexpr (requires(A a) { a.goal_bias = 0; }) {
+    for (const double bias : {-0.001, 1.001, std::nan("")}) {
+      refused("goal_bias", [&](A& a) { a.goal_bias = bias; });
+    }
+  }
+  if constexpr (requires(A a) { a.rewire_factor = 0; }) {
+    for (const double factor : {0.0, -1.0, HUGE_VAL, std::nan("")}) {
+      refused("rewire_factor", [&](A& a) { a.rewire_factor = factor; });
+    }
+  }
+}
+
+/// `golden` is the fingerprint of the trees on the maze with seed 7: on every compiler the same,
+/// unless that joins multiplications with additions.
+template <class A>
+void tree_contract(const A& algorithm, std::uint64_t golden) {
+  searcher_contract(algorithm, Completeness::gives_up);
+
+  NoObserver nobody;
+  typename A::Scratch used;
+  const Scene maze = maps::maze();
+  const auto space = InflatedSpace::build(maze.workspace).value();
+  const Query query{.start = maze.start, .goal = maze.goals[0], .seed = 7};
+  check_tree_options(algorithm, space, query);
+
+  // The same seed gives the same tree, also in used memory; another one another.
+  const auto first = algorithm.search(space, query, used, nobody);
+  REQUIRE(first);
+  const std::uint64_t print = fingerprint(used);
+#if !defined(__FMA__) && !defined(__aarch64__)
+  CHECK(print == golden);
+#else
+  static_cast<void>(golden);
+#endif
+  Query other = query;
+  other.seed = 8;
+  const auto second = algorithm.search(space, other, used, nobody);
+  REQUIRE(second);
+  CHECK(fingerprint(used) != print);
+  CHECK_FALSE(same_curve(first->curve, second->curve));
+  REQUIRE(algorithm.search(space, query, used, nobody));
+  CHECK(fingerprint(used) == print);
+
+  // Better paths are told as they are found, and the last one is the best.
+  Improvements observer;
+  const auto watched = algorithm.search(space, query, used, observer);
+  REQUIRE(watched);
+  CHECK(fingerprint(used) == print);
+  CHECK(observer.generated_nodes == watched->stats.generated);
+  REQUIRE(!observer.costs.empty());
+  for (std::size_t i = 1; i < observer.costs.size(); ++i) {
+    CHECK(observer.costs[i] < observer.costs[i - 1]);
+  }
+  CHECK(watched->cost <= observer.costs.back());
+  CHECK(observer.last.start() == query.start);
+  CHECK(observer.last.end() == query.goal);
+
+  // Nothing to search for where start and goal see each other.
+  const auto straight = algorithm.search(
+      space, {.start = maze.start, .goal = maze.start + Point(0.01, 0)}, used, nobody);
+  REQUIRE(straight);
+  CHECK(straight->curve.pieces().size() == 1);
+  CHECK(straight->stats.expanded == 0);
+
+  // A closed room is searched until the iterations are used up.
+  const auto room = InflatedSpace::build({.bounds = {{0, 0}, {10, 10}},
+                                          .safety_radius = 0.1,
+                                          .obstacles = {Polygon{{{5, -1}, {5, 11}}}}})
+                        .value();
+  A few = algorithm;
+  few.iterations = 200;
+  const auto none = few.search(room, {.start = {1, 1}, .goal = {9, 9}}, used, nobody);
+  REQUIRE_FALSE(none);
+  CHECK(none.error().code == PlanError::budget_exhausted);
+  CHECK(none.error().stats.expanded % 200 == 0);
+  CHECK(none.error().detail.find("m of the goal") != std::string::npos);
+
+  // Cells are as good.
+  OccupancyGrid grid = OccupancyGrid::blocked(20, 20).value();
+  for (int y = 0; y < 20; ++y) grid.set_run(y, 0, 19, true);
+  for (int y = 0; y < 16; ++y) grid.set({10, y}, false);
+  for (const double radius : {0.0, 0.7}) {
+    const auto cells = CellSpace::build(grid, {.safety_radius = radius}).value();
+    const auto route = algorithm.search(cells, {.start = {3, 3}, .goal = {17, 3}}, used, nobody);
+    REQUIRE(route);
+    CHECK(certify(cells, route->curve).status == ProofStatus::proved);
+  }
+
+  // Exact on all scenes, with any seed.
+  for (const Scene& scene : sampling_scenes()) {
+    const auto world = InflatedSpace::build(scene.workspace).value();
+    const ExactChecker judge(scene.workspace);
+    for (std::uint64_t seed = 1; seed <= scaled(10); ++seed) {
+      INFO(scene.name << ", safety radius " << scene.workspace.safety_radius << ", seed " << seed);
+      const Query task{.start = scene.start, .goal = scene.goals.back(), .seed = seed};
+      const auto route = algorithm.search(world, task, used, nobody);
+      REQUIRE(route);
+      CHECK(route->curve.start() == task.start);
+      CHECK(route->curve.end() == task.goal);
+      CHECK(judge.check(route->curve) == ExactVerdict::free);
+      check_trees(used);
+    }
+  }
+}
+
+}  // namespace tutavia::test
