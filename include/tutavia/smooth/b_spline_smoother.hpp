@@ -2,11 +2,13 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/pull/redundant_node_removal.hpp"
+#include "tutavia/pull/route_check.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/corner_spline.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -16,8 +18,9 @@
 
 namespace tutavia {
 
-/// Drops redundant nodes and runs a clamped uniform cubic B-spline along what is left. Helper
-/// control points on the legs keep straight parts straight and corners as tight as they have to be.
+/// Drops redundant nodes (`prune`) and runs a clamped uniform cubic B-spline along what is left.
+/// Helper control points on the legs keep straight parts straight and corners as tight as they have
+/// to be.
 ///
 /// A piece that cannot be proved draws its corners tighter, by halves; after six of them a corner
 /// stays as it is. Curvature is continuous but at such corners, where the rest is straight.
@@ -32,15 +35,30 @@ struct BSplineSmoother {
   /// How far from a corner its helpers lie, at most a third of the leg; in spacings of the space's
   /// grid, in metres where it has none.
   double reach = 3;
+  /// Whether redundant nodes are dropped first; off for routes that go a longer way on purpose.
+  bool prune = true;
 
   /// Errors: `invalid_option` for a reach that is not positive, `invalid_input` for a curve that is
   /// no polyline or not free, what the budget says.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (!(reach > 0)) return fail(PlanError::invalid_option, "reach must be positive");
+    if (!prune) {
+      const auto nodes = free_polyline(space, input, budget, "the B-spline");
+      if (!nodes) return Unexpected{nodes.error()};
+      return spline(space, *nodes, budget);
+    }
     const auto pruned = RedundantNodeRemoval{}.smooth(space, input, budget);
-    if (!pruned || pruned->empty()) return pruned;
-    return CornerSpline(joints(*pruned), reach * length_unit(space)).prove(space, budget);
+    if (!pruned) return pruned;
+    return spline(space, joints(*pruned), budget);
+  }
+
+ private:
+  template <ClearanceSpace S>
+  Expected<Curve, Failure> spline(const S& space, const std::vector<Point>& nodes,
+                                  const Budget& budget) const {
+    if (nodes.empty()) return Curve();
+    return CornerSpline(nodes, reach * length_unit(space)).prove(space, budget);
   }
 };
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "tutavia/core/error.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// RiskZone: the grey zone around obstacles, and what it costs to be in it.
+
+namespace tutavia {
+
+/// What is known of a number: how far it may be from `value`.
+struct Estimate {
+  double value = 0;
+  double error = 0;
+};
+
+/// A zone of some width around free space's boundary, in which the risk falls from 1, at the safety
+/// radius, to 0.
+///
+/// A way costs its length plus `weight` times the integral of the risk along it. Source: the
+/// improved RRT* of MM Science Journal, October 2023 (RRTS), whose "safety cost" this makes precise
+/// (docs/algorithms.md).
+struct RiskZone {
+  double width = 2;   ///< [m], positive
+  double weight = 1;  ///< [m of length per m at risk 1], not negative
+  /// What the integral along a way may be wrong by, as a share of the way's length; positive.
+  double tolerance = 0.01;
+
+  /// `invalid_option` for a width, weight or tolerance outside its range.
+  Expected<void, Failure> check() const {
+    const auto invalid = [](std::string detail) {
+      return fail(PlanError::invalid_option, std::move(detail));
+    };
+    if (!(width > 0 && std::isfinite(width)))
+      return invalid("the risk zone's width must be positive");
+    if (!(weight >= 0 && std::isfinite(weight))) {
+      return invalid("the risk zone's weight must not be negative");
+    }
+    if (!(tolerance > 0)) return invalid("the risk zone's tolerance must be positive");
+    return {};
+  }
+
+  /// The risk at a free point, in [0, 1].
+  template <ClearanceSpace S>
+  double risk(const S& space, const Point& p) const {
+    const double reach = space.safety_radius() + width;
+    const double depth = reach - space.nearest(Segment{p, p}, reach).distance;
+    return std::clamp(depth / width, 0.0, 1.0);
+  }
+
+  /// Whether a free segment keeps out of the zone.
+  template <ClearanceSpace S>
+  bool is_outside(const S& space, const Point& p, const Point& q) const {
+    const double reach = space.safety_radius() + width;
+    return !(space.nearest(Segment{p, q}, reach).distance < reach);
+  }
+
+  /// The integral of the risk along a free segment [m], by the trapezoidal rule on parts that are
+  /// halved until the error is small enough.
+  ///
+  /// The risk changes by at most 1 / width per metre. Between all functions that do, with values f
+  /// and g at the ends of a part h metres long, the integrals differ from h (f + g) / 2 by at most
+  /// (h^2 / width^2 - (g - f)^2) width / 4: by nothing on the way straight to or from an obstacle.
+  template <ClearanceSpace S>
+  Estimate integral(const S& space, const Point& p, const Point& q) const {
+    if (is_outside(space, p, q)) return {};
+    const Segment way{p, q};
+    const double length = way.length();
+    return integral(space, length, [&](double s) { return way.point(s / length); });
+  }
+
+  /// The same along a curve.
+  template <ClearanceSpace S>
+  Estimate integral(const S& space, const Curve& curve) const {
+    if (curve.empty()) return {};
+    return integral(space, curve.length(), [&](double s) { return curve.point(s); });
+  }
+
+  /// How much of a free curve lies in the zone [m]. Parts that the zone's rim may run through are
+  /// cut down to a ten-thousandth of the length and count half.
+  template <ClearanceSpace S>
+  Estimate length_inside(const S& space, const Curve& curve) const {
+    Estimate sum;
+    if (!curve.empty()) add_inside(space, curve, 0, curve.length(), sum);
+    return sum;
+  }
+
+  /// What a free segment costs.
+  template <ClearanceSpace S>
+  double cost(const S& space, const Point& p, const Point& q) const {
+    const double length = distance(p, q);
+    return weight == 0 ? length : length + weight * integral(space, p, q).value;
+  }
+
+ private:
+  template <ClearanceSpace S, class PointAt>
+  Estimate integral(const S& space, double length, const PointAt& point_at) const {
+    const auto risk_at = [&](double s) { return risk(space, point_at(s)); };
+    Estimate sum;
+    add_risk(risk_at, 0, length, risk_at(0), risk_at(length), 1e-6 * length, sum);
+    return sum;
+  }
+
+  /// Adds the integral from a to b, where the risk is f and g.
+  template <class RiskAt>
+  void add_risk(const RiskAt& risk_at, double a, double b, double f, double g, double least,
+                Estimate& sum) const {
+    const double h = b - a;
+    const double error = std::max(0.0, h * h / (width * width) - (g - f) * (g - f)) * width / 4;
+    if (error <= tolerance * h || h < least) {
+      sum.value += h * (f + g) / 2;
+      sum.error += error;
+      return;
+    }
+    const double middle = a + h / 2, value = risk_at(middle);
+    add_risk(risk_at, a, middle, f, value, least, sum);
+    add_risk(risk_at, middle, b, value, g, least, sum);
+  }
+
+  /// Adds what lies in the zone between two arc lengths: all or nothing where the middle is far
+  /// enough on one side of the zone's rim.
+  template <ClearanceSpace S>
+  void add_inside(const S& space, const Curve& curve, double a, double b, Estimate& sum) const {
+    const double h = b - a, middle = a + h / 2, rim = space.safety_radius() + width;
+    const Point p = curve.point(middle);
+    const double clearance = space.nearest(Segment{p, p}, rim + h).distance;
+    if (clearance >= rim + h / 2) return;
+    if (clearance <= rim - h / 2) {
+      sum.value += h;
+    } else if (h < 1e-4 * curve.length()) {
+      sum.value += h / 2;
+      sum.error += h / 2;
+    } else {
+      add_inside(space, curve, a, middle, sum);
+      add_inside(space, curve, middle, b, sum);
+    }
+  }
+};
+
+}  // namespace tutavia
