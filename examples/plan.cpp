@@ -53,13 +53,15 @@ struct Arguments {
 struct Result {
   ResultHeader header;
   Expected<Plan, Failure> plan;
+  std::vector<Segment> tree{};  ///< of a search by sampling, where it is to be drawn
 };
 
 /// What one search with one smoother made of every goal.
 using Group = std::vector<Result>;
 
 void define_options(CLI::App& app, Arguments& args) {
-  auto* map = app.add_option("--map", args.map, "Built-in map: array, complex or maze");
+  auto* map = app.add_option("--map", args.map,
+                             "Built-in map: array, complex, maze, rrt_scene_1 or rrt_scene_2");
   app.add_option("--workspace", args.workspace, "Workspace file (.json, .geojson or .wkt)")
       ->excludes(map);
   app.add_option("--grid", args.grid, "Grid map: MovingAI (.map) or ROS map_server (.yaml)")
@@ -155,7 +157,10 @@ Scene load_scene(const Arguments& args) {
   if (args.map.empty() || args.map == "maze") return maps::maze();
   if (args.map == "array") return maps::array();
   if (args.map == "complex") return maps::complex();
-  throw UsageError{"--map: unknown map \"" + args.map + "\" (array, complex or maze)"};
+  if (args.map == "rrt_scene_1") return maps::rrt_scene_1();
+  if (args.map == "rrt_scene_2") return maps::rrt_scene_2();
+  throw UsageError{"--map: unknown map \"" + args.map +
+                   "\" (array, complex, maze, rrt_scene_1 or rrt_scene_2)"};
 }
 
 /// For files without bounds: a box around everything in the scene, a tenth larger and with room for
@@ -320,6 +325,7 @@ Group run(const S& space, const Scene& scene, const Arguments& args, const AnySe
     results.push_back({{std::string(search.name), smoother.name, scene.start, goal,
                         scene.workspace.safety_radius},
                        planner.plan(space, query)});
+    if (search.tree && !args.svg.empty() && !args.compare) results.back().tree = search.tree();
   }
   return results;
 }
@@ -476,6 +482,7 @@ void draw(const std::string& path, const Scene& scene, const S& space, bool y_do
   const DeltaSmoother delta;
   for (Group& group : groups) {
     for (Result& result : group) {
+      options.tree.insert(options.tree.end(), result.tree.begin(), result.tree.end());
       if (!result.plan) continue;
       plans.push_back(std::move(*result.plan));
       if (result.header.smoother != DeltaSmoother::name) continue;

@@ -31,6 +31,13 @@ TEST_CASE("algorithms chosen by name give what the algorithms themselves give") 
   CHECK(named(searches, "dijkstra").name == "dijkstra");
   CHECK(named(smoothers, "none").name == "none");
   CHECK(named(smoothers, "shortcut").name == "shortcut");
+
+  CHECK_FALSE(named(searches, "astar").tree);
+  const auto sampling = named(searches, "rrt");
+  REQUIRE(sampling.tree);
+  const auto route = sampling.run(space, query);
+  REQUIRE(route);
+  CHECK(sampling.tree().size() == route->stats.generated);
 }
 
 }  // namespace

@@ -17,11 +17,16 @@
 #include "tutavia/search/canonical_astar.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/dijkstra.hpp"
+#include "tutavia/search/informed_rrt_star.hpp"
 #include "tutavia/search/jps.hpp"
 #include "tutavia/search/jps_plus.hpp"
 #include "tutavia/search/jps_theta_star.hpp"
 #include "tutavia/search/penalty_astar.hpp"
 #include "tutavia/search/rea_star.hpp"
+#include "tutavia/search/rrt.hpp"
+#include "tutavia/search/rrt_connect.hpp"
+#include "tutavia/search/rrt_star.hpp"
+#include "tutavia/search/safe_rrt_star.hpp"
 #include "tutavia/search/ssa_astar.hpp"
 #include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/search/theta_star.hpp"
@@ -48,6 +53,8 @@ struct AnySearch {
 
   std::string_view name{};
   std::function<Expected<Route, Failure>(const S&, const Query&)> run{};
+  /// The edges of the trees that the last search grew; empty for searches that grow none.
+  std::function<std::vector<Segment>()> tree{};
 
   template <Observer O>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch&, O&) const {
@@ -69,10 +76,19 @@ struct AnySmoother {
 template <class S, Searcher<S> A>
 AnySearch<S> erase_search(const A& algorithm) {
   auto scratch = std::make_shared<typename A::Scratch>();
-  return {A::name, [algorithm, scratch](const S& space, const Query& query) {
-            NoObserver nobody;
-            return algorithm.search(space, query, *scratch, nobody);
-          }};
+  AnySearch<S> any{A::name, [algorithm, scratch](const S& space, const Query& query) {
+                     NoObserver nobody;
+                     return algorithm.search(space, query, *scratch, nobody);
+                   }};
+  constexpr auto ignore = [](const Point&, const Point&) {};
+  if constexpr (requires { scratch->for_each_edge(ignore); }) {
+    any.tree = [scratch] {
+      std::vector<Segment> edges;
+      scratch->for_each_edge([&](const Point& a, const Point& b) { edges.push_back({a, b}); });
+      return edges;
+    };
+  }
+  return any;
 }
 
 template <class S, Smoother<S> A>
@@ -125,7 +141,12 @@ std::vector<AnySearch<S>> all_searches() {
                                 erase_search<S>(LazyThetaStar{}),
                                 erase_search<S>(JpsThetaStar{}),
                                 erase_search<S>(SsaAStar{}),
-                                erase_search<S>(ReaStar{})};
+                                erase_search<S>(ReaStar{}),
+                                erase_search<S>(Rrt{}),
+                                erase_search<S>(RrtStar{}),
+                                erase_search<S>(RrtConnect{}),
+                                erase_search<S>(InformedRrtStar{}),
+                                erase_search<S>(SafeRrtStar{})};
   if constexpr (Searcher<AnyAngle, S>) all.push_back(erase_search<S>(AnyAngle{}));
   if constexpr (requires(const S& s) { s.workspace(); }) {
     all.push_back(erase_search<S>(TangentGraph{}));

@@ -27,7 +27,10 @@ TEST_CASE("a picture shows obstacles, zones of the safety radius, route, curve a
   Planner planner{AStar{}, DeltaSmoother{}};
   const Plan plan = planner.plan(space, {.start = scene.start, .goal = scene.goals[1]}).value();
   const std::string svg = to_svg(scene.workspace, std::span(&plan, 1),
-                                 {.critical_corners = {{1, 1}, {2, 2}}, .title = "a < b & c"});
+                                 {.critical_corners = {{1, 1}, {2, 2}},
+                                  .tree = {{{3, 3}, {4, 4}}, {{3, 3}, {3, 4}}},
+                                  .title = "a < b & c"});
+  CHECK(count(svg, "#9cc3b5") == 2);  // the tree and its legend
   CHECK(count(svg, "fill-rule=\"evenodd\"") == 2 * scene.workspace.obstacles.size());
   CHECK(count(svg, "stroke-width=\"40.00\"") == 1);  // 2 r = 0.6 m of 12 m on 800 pixels
   CHECK(count(svg, "stroke-dasharray") == 2);        // route and its legend

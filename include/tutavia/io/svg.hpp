@@ -28,6 +28,7 @@ namespace tutavia {
 struct SvgOptions {
   double width = 800;                     ///< of the drawing area, in pixels
   std::vector<Point> critical_corners{};  ///< marked with crosses
+  std::vector<Segment> tree{};            ///< what a search by sampling grew, drawn thin
   std::string title{};
   bool y_down = false;  ///< y grows downwards, as in images
 };
@@ -62,6 +63,7 @@ class SvgPicture {
     svg_ += "<clipPath id=\"bounds\">" + frame("") + "</clipPath>\n";
     svg_ += frame(" fill=\"#f7f9fb\"") + "<g clip-path=\"url(#bounds)\">\n";
     obstacles();
+    tree();
     for (const Plan& plan : plans) route(plan.route.curve);
     for (std::size_t i = 0; i < plans.size(); ++i) curve(plans[i].curve, colour(i));
     for (const Point& corner : options_.critical_corners) cross_mark(corner);
@@ -74,6 +76,7 @@ class SvgPicture {
  private:
   static constexpr double margin = 16;
   static constexpr const char* route_colour = "#7a8794";
+  static constexpr const char* tree_colour = "#9cc3b5";
 
   static const char* colour(std::size_t i) {  // after Okabe and Ito: told apart by all eyes
     constexpr std::array<const char*, 6> colours{"#0072b2", "#d55e00", "#009e73",
@@ -155,6 +158,14 @@ class SvgPicture {
     svg_ += "<g fill=\"#f6d9b8\" stroke=\"#f6d9b8\" stroke-linejoin=\"round\" stroke-width=\"" +
             number(2 * r * scale_) + "\">\n" + shapes(r) + "</g>\n";
     svg_ += "<g fill=\"#4a5763\" stroke=\"#4a5763\" stroke-width=\"1\">\n" + shapes(0) + "</g>\n";
+  }
+
+  void tree() {
+    if (options_.tree.empty()) return;
+    std::string d;
+    for (const Segment& edge : options_.tree)
+      d.append("M").append(at(edge.a)).append("L").append(at(edge.b));
+    stroke(d, std::string("stroke=\"") + tree_colour + "\" stroke-width=\"0.7\"");
   }
 
   std::string curve_path(const Curve& curve) const {
@@ -260,6 +271,9 @@ class SvgPicture {
       y += 24;
       entry("start", 108, [this](const Point& q) { start_at(q); });
       entry("goal", 178, [this](const Point& q) { goal_at(q, colour(0)); });
+    }
+    if (!options_.tree.empty()) {
+      entry("tree", 84, line(std::string("stroke=\"") + tree_colour + "\" stroke-width=\"1.5\""));
     }
     if (!options_.critical_corners.empty()) {
       entry("critical corner", 140, [this](const Point& q) { cross_at(q); });
