@@ -313,7 +313,7 @@ void compare_all(const Arguments& args) {
   }
   const auto cells = value_or_throw(read_moving_ai_map(std::string(folder) + "/arena2.map"));
   compare_on("arena2", value_or_throw(CellSpace::build(cells, {.safety_radius = 0.4})),
-             {.start = {275.5, 206.5}, .goal = {4.5, 98.5}}, args);
+             {.start = {100.5, 162.5}, .goal = {227.5, 163.5}}, args);
 }
 
 #else

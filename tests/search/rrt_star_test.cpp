@@ -25,7 +25,8 @@ TEST_CASE("neighbour rules are those of Karaman and Frazzoli") {
         Approx(2 * std::sqrt(1.5) * std::sqrt(2500 / 3.141592653589793) *
                std::sqrt(std::log(1000) / 1000)));
   CHECK(rule.radius(1000, 2500, 2) == 2);
-  CHECK(rule.count(1) > 0);
+  CHECK(rule.count(1) == 1);
+  CHECK(detail::NeighbourRule{Neighbours::k_nearest, 1e300}.count(50) == 50);
 }
 
 double median_ratio(std::uint32_t iterations, const Scene& scene, Neighbours neighbours) {

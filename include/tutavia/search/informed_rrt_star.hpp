@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -53,7 +54,7 @@ class Ellipse {
     const double gap = distance(a, b);
     along_ = {(b.x() - a.x()) / gap, (b.y() - a.y()) / gap};
     half_axis_ = length / 2;
-    other_half_axis_ = std::sqrt((length - gap) * (length + gap)) / 2;
+    other_half_axis_ = std::sqrt(std::max(0.0, length - gap) * (length + gap)) / 2;
   }
 
   double area() const { return std::numbers::pi * half_axis_ * other_half_axis_; }

@@ -43,12 +43,14 @@ struct OptimalTreeScratch : TreeScratch {
 
 namespace detail {
 
+/// How far a tree of n nodes looks around a new one.
 struct NeighbourRule {
   Neighbours kind;
   double factor;
 
   std::size_t count(std::size_t n) const {
-    return static_cast<std::size_t>(std::ceil(factor * 1.5 * std::numbers::e * logarithm(n)));
+    const double bound = 1.5 * std::numbers::e * logarithm(n);
+    return static_cast<std::size_t>(std::min(std::ceil(factor * bound), static_cast<double>(n)));
   }
   double radius(std::size_t n, double area, double step) const {
     const double share = logarithm(n) / static_cast<double>(n);

@@ -33,7 +33,8 @@ struct RrtStar {
   static constexpr std::string_view name = "rrt_star";
   using Scratch = OptimalTreeScratch;
 
-  /// Longest step [m], at most the diagonal of the bounds; none: a 25th of their longer side.
+  /// Longest step [m], at most the diagonal of the bounds; none: a 25th of their longer side. Edges
+  /// to the k nearest may be longer.
   std::optional<double> step{};
   double goal_bias = 0.05;  ///< share of iterations that grow towards the goal until it is reached
   std::uint32_t iterations = 3000;
