@@ -11,6 +11,7 @@
 #include "tutavia/pull/shortcut.hpp"
 #include "tutavia/pull/string_pull.hpp"
 #include "tutavia/pull/taut_string.hpp"
+#include "tutavia/search/ant_colony.hpp"
 #include "tutavia/search/any_angle.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/bidirectional_astar.hpp"
@@ -141,6 +142,7 @@ std::vector<AnySearch<S>> all_searches() {
                                 erase_search<S>(LazyThetaStar{}),
                                 erase_search<S>(JpsThetaStar{}),
                                 erase_search<S>(SsaAStar{}),
+                                erase_search<S>(AntColony{}),
                                 erase_search<S>(ReaStar{}),
                                 erase_search<S>(Rrt{}),
                                 erase_search<S>(RrtStar{}),

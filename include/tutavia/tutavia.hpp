@@ -67,6 +67,7 @@
 #include "tutavia/pull/shortcut.hpp"
 #include "tutavia/pull/string_pull.hpp"
 #include "tutavia/pull/taut_string.hpp"
+#include "tutavia/search/ant_colony.hpp"
 #include "tutavia/search/any_angle.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/best_first.hpp"

@@ -194,15 +194,16 @@ class SpiralString {
   /// Makes room on the way after bend i, which is not free.
   void yield_way(std::size_t i) {
     const std::size_t j = bends_[i].next;
-    const bool lowered = unlift(i, j) | shrink(i) | shrink(j);
-    if (!lowered) give_up(i);
+    const bool is_back = unlift(i, j), gives = shrink(i), gives_too = shrink(j);
+    if (!is_back && !gives && !gives_too) give_up(i);
   }
   /// Makes room at bend i, which is not free.
   void yield_bend(std::size_t i) {
     if (shrink(i)) return;
     const std::size_t before = bends_[i].previous, after = bends_[i].next;
-    const bool lowered = unlift(before, i) | unlift(i, after) | shrink(before) | shrink(after);
-    if (!lowered) give_up(i);
+    const bool is_back = unlift(before, i), is_back_too = unlift(i, after);
+    const bool gives = shrink(before), gives_too = shrink(after);
+    if (!is_back && !is_back_too && !gives && !gives_too) give_up(i);
   }
 
   void give_up(std::size_t i) {

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tutavia/core/random.hpp"
+#include "tutavia/core/zeroed_array.hpp"
+#include "tutavia/grid/successors.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/linked_query.hpp"
+#include "tutavia/search/query.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// AntColony: paths on a grid by many random walks that learn from one another.
+
+namespace tutavia {
+
+/// What an ant colony keeps between queries: memory.
+struct AntScratch {
+  std::vector<std::uint32_t> visited;  ///< the last ant on each cell
+  std::vector<std::size_t> trail, best;
+  std::vector<Cell> cells;
+};
+
+/// Ants walk from the start at random, never twice over a cell, sooner on where others that came to
+/// the goal have left a scent and where the goal is nearer; an ant that is stuck steps back. Those
+/// that arrive leave a scent that is the stronger the shorter their way, which fades with every
+/// round, and the shortest way so far is scented once more each time.
+///
+/// A path that is found is valid and nothing else: in particular it is not short on maps of more
+/// than some thousand cells. Same seed, same path. Memory: 64 bytes per cell that ants come to.
+///
+/// Errors: `invalid_option`; those of `search_grid`; `budget_exhausted` where no ant arrived in all
+/// rounds, and for what the budget says unless some ant has arrived; `cancelled`.
+///
+/// Source: Dorigo, Maniezzo and Colorni 1996, "Ant system: optimization by a colony of cooperating
+/// agents" (with one elitist ant), the baseline of the SSA-A* paper; its parameters are not printed
+/// there, see docs/algorithms.md.
+struct AntColony {
+  static constexpr std::string_view name = "ant_colony";
+  using Scratch = AntScratch;
+
+  enum class DeadEnds {
+    step_back,  ///< an ant retreats until there is another way on
+    discard     ///< it is lost, as in the paper; where there are walls, all of them may be
+  };
+
+  std::uint32_t ants = 30;        ///< in each round
+  std::uint32_t iterations = 50;  ///< rounds
+  double scent_weight = 1;        ///< alpha, an exponent
+  double distance_weight = 5;     ///< beta, the exponent of 1 / distance to the goal
+  double evaporation = 0.3;       ///< rho: what a scent loses in a round, in [0, 1)
+  DeadEnds dead_ends = DeadEnds::step_back;
+  double deposit = 100;  ///< Q: an ant leaves Q / length in cells; there is 1 at first
+
+  template <GridSpace S, Observer O = NoObserver>
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  O& observer) const;
+
+ private:
+  const char* invalid_option() const {
+    const auto is_weight = [](double x) { return x >= 0 && x <= 100; };
+    if (ants == 0) return "ants must not be 0";
+    if (iterations == 0) return "iterations must not be 0";
+    if (!is_weight(scent_weight)) return "scent_weight must lie in [0, 100]";
+    if (!is_weight(distance_weight)) return "distance_weight must lie in [0, 100]";
+    if (!(evaporation >= 0 && evaporation < 1)) return "evaporation must lie in [0, 1)";
+    if (!(deposit >= 0 && std::isfinite(deposit))) return "deposit must be finite, not negative";
+    return nullptr;
+  }
+};
+
+namespace detail {
+
+template <class S, class O>
+class Colony {
+ public:
+  Colony(const AntColony& options, const S& space, const Query& query, const LinkedQuery& linked,
+         AntScratch& scratch, O& observer, Statistics& stats)
+      : options_(options),
+        space_(space),
+        query_(query),
+        linked_(linked),
+        grid_(space.grid().view()),
+        table_(all_successors(space.movement())),
+        scents_(8 * space.grid().index_count()),
+        scratch_(scratch),
+        observer_(observer),
+        stats_(stats),
+        random_(query.seed) {}
+
+  std::optional<Failure> run() {
+    scratch_.visited.assign(space_.grid().index_count(), 0);
+    scratch_.best.clear();
+    for (std::uint32_t round = 0; round < options_.iterations && !end_; ++round) {
+      for (std::uint32_t ant = 0; ant < options_.ants && !end_; ++ant) {
+        ++stats_.generated;
+        const auto cost = walk(ant + 1 + round * options_.ants);
+        if (!cost) continue;
+        if (*cost < best_) best_ = *cost, scratch_.best = scratch_.trail;
+        scent(scratch_.trail, *cost);
+      }
+      if (!scratch_.best.empty()) scent(scratch_.best, best_);
+      fade();
+    }
+    if (!scratch_.best.empty() && !(end_ && end_->code == PlanError::cancelled)) {
+      return std::nullopt;
+    }
+    if (end_) return end_;
+    return Failure{.code = PlanError::budget_exhausted};
+  }
+
+  void path(std::vector<Cell>& cells) const {
+    for (auto i = scratch_.best.rbegin(); i != scratch_.best.rend(); ++i) {
+      append_cell(cells, grid_.cell(*i));
+    }
+  }
+
+ private:
+  /// One ant's way into `trail`; its cost, if it arrives.
+  std::optional<Cost> walk(std::uint32_t ant) {
+    auto& trail = scratch_.trail;
+    const CellLink& first = linked_.starts.data()[random_.below(linked_.starts.size())];
+    trail.assign(1, grid_.index(first.cell));
+    scratch_.visited[trail.back()] = ant;
+    while (!trail.empty()) {
+      const Cell cell = grid_.cell(trail.back());
+      if (const auto exit = linked_.exit_cost(cell)) return first.cost + length() + *exit;
+      if (is_checked(query_.budget, stats_.expanded)) {
+        end_ = exceeded(query_.budget, stats_.expanded);
+        if (end_) return std::nullopt;
+      }
+      ++stats_.expanded;
+      observer_.expanded(space_.frame().point(cell));
+      if (const auto step = choose(trail.back(), cell, ant)) {
+        trail.push_back(grid_.index(cell + steps[*step]));
+        scratch_.visited[trail.back()] = ant;
+      } else if (options_.dead_ends == AntColony::DeadEnds::step_back) {
+        trail.pop_back();
+      } else {
+        return std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::size_t step_between(std::size_t from, std::size_t to) const {
+    const Cell by = grid_.cell(to) - grid_.cell(from);
+    return static_cast<std::size_t>(std::find(steps.begin(), steps.end(), by) - steps.begin());
+  }
+  Cost length() const {
+    Cost sum = 0;
+    for (std::size_t i = 1; i < scratch_.trail.size(); ++i) {
+      sum += step_cost(step_between(scratch_.trail[i - 1], scratch_.trail[i]));
+    }
+    return sum;
+  }
+
+  /// The next step of an ant; none where all cells around it are blocked or behind it.
+  std::optional<std::size_t> choose(std::size_t at, Cell cell, std::uint32_t ant) {
+    std::array<double, 8> weights{};
+    double sum = 0;
+    for (unsigned left = table_[grid_.neighbourhood(at)]; left != 0; left &= left - 1) {
+      const auto step = static_cast<std::size_t>(std::countr_zero(left));
+      const Cell next = cell + steps[step];
+      if (scratch_.visited[grid_.index(next)] == ant) continue;
+      const double dx = next.x - linked_.goal_cell.x, dy = next.y - linked_.goal_cell.y;
+      const double nearness = 1 / (std::sqrt(dx * dx + dy * dy) + 1e-3);
+      weights[step] = std::pow(first_ + scents_[8 * at + step], options_.scent_weight) *
+                      std::pow(nearness, options_.distance_weight);
+      sum += weights[step];
+    }
+    if (!(sum > 0)) return std::nullopt;
+    double place = random_.uniform() * sum;
+    std::optional<std::size_t> chosen;
+    for (std::size_t step = 0; step < weights.size(); ++step) {
+      if (!(weights[step] > 0)) continue;
+      chosen = step;
+      place -= weights[step];
+      if (place < 0) break;
+    }
+    return chosen;
+  }
+
+  /// Scents are kept in units that shrink as they fade, so that fading touches none.
+  void scent(const std::vector<std::size_t>& trail, Cost cost) {
+    const double length = static_cast<double>(cost) / static_cast<double>(straight_cost);
+    if (!(length > 0)) return;
+    for (std::size_t i = 1; i < trail.size(); ++i) {
+      const std::size_t step = step_between(trail[i - 1], trail[i]);
+      scents_[8 * trail[i - 1] + step] += options_.deposit / length * unit_;
+    }
+  }
+  void fade() {
+    unit_ /= 1 - options_.evaporation;
+    if (unit_ < 1e100) return;
+    for (std::size_t i = 0; i < scents_.size(); ++i) scents_[i] /= unit_;
+    first_ /= unit_;
+    unit_ = 1;
+  }
+
+  const AntColony& options_;
+  const S& space_;
+  const Query& query_;
+  const LinkedQuery& linked_;
+  OccupancyGrid::View grid_;
+  const SuccessorTable& table_;
+  ZeroedArray<double> scents_;  // of each step from each cell
+  AntScratch& scratch_;
+  O& observer_;
+  Statistics& stats_;
+  Random random_;
+  std::optional<Failure> end_;  // why the budget ends the search
+  double first_ = 1;            // the scent of all steps at first
+  double unit_ = 1;             // of a deposit
+  Cost best_ = std::numeric_limits<Cost>::max();
+};
+
+}  // namespace detail
+
+template <GridSpace S, Observer O>
+Expected<Route, Failure> AntColony::search(const S& space, const Query& query, Scratch& scratch,
+                                           O& observer) const {
+  if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
+  return search_grid(space, query, scratch.cells,
+                     [&](const LinkedQuery& linked, std::vector<Cell>& cells,
+                         Statistics& stats) -> std::optional<Failure> {
+                       detail::Colony<S, O> colony(*this, space, query, linked, scratch, observer,
+                                                   stats);
+                       if (auto failure = colony.run()) return failure;
+                       colony.path(cells);
+                       return std::nullopt;
+                     });
+}
+
+}  // namespace tutavia

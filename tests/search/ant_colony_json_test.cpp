@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+
+#include "support/free_route.hpp"
+#include "support/paper_maps.hpp"
+#include "support/random_grids.hpp"
+#include "support/searcher_contract.hpp"
+#include "tutavia/search/ant_colony.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/space/cell_space.hpp"
+
+namespace {
+
+using namespace tutavia;
+using test::search_once;
+
+TEST_CASE("AntColony keeps the searcher contract") {
+  test::searcher_contract(AntColony{.iterations = 5}, test::Completeness::gives_up);
+}
+
+TEST_CASE("what ants find is a path, the same from the same seed") {
+  const std::uint64_t seed = 920;
+  Random random(seed);
+  AntColony::Scratch scratch, other;
+  NoObserver nobody;
+  std::size_t found = 0;
+  for (std::size_t round = 0; round < test::scaled(60); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const MovementRule rules[] = {MovementRule::no_cut, MovementRule::allow,
+                                  MovementRule::no_squeeze, MovementRule::four_connected};
+    const auto space =
+        CellSpace::build(test::random_grid(random, 24), {.movement = rules[round % 4]}).value();
+    const auto place = [&] { return space.frame().point(test::random_cell(random, space.grid())); };
+    const Query query{.start = place(), .goal = place(), .seed = round};
+    const auto route = AntColony{}.search(space, query, scratch, nobody);
+    const auto again = AntColony{}.search(space, query, other, nobody);
+    REQUIRE(route.has_value() == again.has_value());
+    if (!route) {
+      CHECK(route.error().code == again.error().code);
+      continue;
+    }
+    ++found;
+    CHECK(test::same_curve(route->curve, again->curve));
+    CHECK(route->curve.start() == query.start);
+    CHECK(route->curve.end() == query.goal);
+    REQUIRE(test::is_free(space, *route));
+  }
+  CHECK(found > test::scaled(10));
+}
+
+TEST_CASE("ants learn: more rounds give shorter paths on the grids of the SSA-A* paper") {
+  for (const std::string kind : {"cluster_20", "random_20"}) {
+    double few = 0, many = 0, shortest = 0;
+    std::size_t found = 0, grids = 0;
+    AntColony::Scratch scratch;
+    AStar::Scratch reference;
+    NoObserver nobody;
+    for (OccupancyGrid& grid : test::ssa_grids(kind)) {
+      const auto last = grid.width() - 1.0;
+      const auto space =
+          CellSpace::build(std::move(grid), {.movement = MovementRule::allow}).value();
+      const Query query{.start = {0.5, 0.5}, .goal = {last + 0.5, last + 0.5}};
+      const auto optimum = AStar{}.search(space, query, reference, nobody);
+      const AntColony hasty{.iterations = 2, .dead_ends = AntColony::DeadEnds::discard};
+      const auto early = hasty.search(space, query, scratch, nobody);
+      const AntColony colony{.dead_ends = AntColony::DeadEnds::discard};
+      const auto late = colony.search(space, query, scratch, nobody);
+      REQUIRE(optimum);
+      ++grids;
+      if (!early || !late) continue;
+      ++found;
+      CHECK(late->cost >= optimum->cost * (1 - 1e-9));
+      CHECK(late->cost <= early->cost * (1 + 1e-9));
+      few += early->cost;
+      many += late->cost;
+      shortest += optimum->cost;
+    }
+    std::printf(
+        "ants on %s: paths on %zu of %zu grids, %.1f %% longer after 2 rounds, %.1f %% after 50\n",
+        kind.c_str(), found, grids, 100 * (few / shortest - 1), 100 * (many / shortest - 1));
+    CHECK(found > grids / 2);
+    CHECK(many < few);
+  }
+}
+
+TEST_CASE("an ant colony refuses what it cannot use, and says when no ant arrives") {
+  const auto space = CellSpace::build(test::ssa_grids("random_20")[0]).value();
+  const Query query{.start = {0.5, 0.5}, .goal = {19.5, 19.5}};
+  AntColony::Scratch scratch;
+  NoObserver nobody;
+  const auto code = [&](const AntColony& colony, const Query& q) {
+    const auto route = colony.search(space, q, scratch, nobody);
+    REQUIRE_FALSE(route);
+    return route.error().code;
+  };
+  CHECK(code({.ants = 0}, query) == PlanError::invalid_option);
+  CHECK(code({.iterations = 0}, query) == PlanError::invalid_option);
+  CHECK(code({.scent_weight = -1}, query) == PlanError::invalid_option);
+  CHECK(code({.distance_weight = std::nan("")}, query) == PlanError::invalid_option);
+  CHECK(code({.evaporation = 1}, query) == PlanError::invalid_option);
+  CHECK(code({.deposit = HUGE_VAL}, query) == PlanError::invalid_option);
+  Query hasty = query;
+  hasty.budget.max_expansions = 3;
+  CHECK(code({}, hasty) == PlanError::budget_exhausted);
+  // A scent that fades fast, many rounds: the units are made anew on the way.
+  CHECK(AntColony{.iterations = 300, .evaporation = 0.9}.search(space, query, scratch, nobody));
+}
+
+}  // namespace
