@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// All smoothers on routes of A* through worlds of polygons: time, the proof included, against the
-/// time of a textbook A* for the same query, and length against the taut string.
+/// time of a textbook A* for the same query, length against the taut string, and the time that a
+/// robot takes along the result.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "map_benchmark.hpp"
 #include "polygon_worlds.hpp"
 #include "tutavia/certify/certify.hpp"
+#include "tutavia/motion/speed_profile.hpp"
 #include "tutavia/registry.hpp"
 #include "tutavia/space/lattice_space.hpp"
 
@@ -39,6 +41,8 @@ struct Row {
   double of_textbook = 0;        ///< sums of shares over the worlds
   double over_taut = 0;
   double of_search = 0;
+  double travel_s = 0;  ///< with default SpeedLimits; NaN where a curve cannot be driven
+  double eased_s = 0;   ///< the same with a jerk of 1 m/s^3
   std::size_t evaluations = 0, failed = 0;
 
   double mean() const {
@@ -48,6 +52,11 @@ struct Row {
   }
   double per_world(double sum) const { return sum / static_cast<double>(micros.size()); }
 };
+
+double travel_time(const Curve& curve, const SpeedLimits& limits) {
+  const auto profile = SpeedProfile::build(curve, limits);
+  return profile ? profile->duration() : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// One world and its route; times in turn within every round.
 void run_world(const Scene& scene, const Route& route, const LatticeSpace& space,
@@ -73,7 +82,10 @@ void run_world(const Scene& scene, const Route& route, const LatticeSpace& space
       Row& row = rows[s];
       if (proof.status != ProofStatus::proved) ++row.failed;
       row.evaluations += proof.evaluations;
-      row.over_taut += curve ? curve->length() / taut : 0;
+      if (!curve) continue;
+      row.over_taut += curve->length() / taut;
+      row.travel_s += travel_time(*curve, {});
+      row.eased_s += travel_time(*curve, {.jerk = 1});
     }
   }
   for (std::size_t s = 0; s < smoothers.size(); ++s) {
@@ -110,22 +122,23 @@ std::vector<Row> run_worlds(std::size_t polygons,
 }
 
 void print(const Row& r) {
-  std::printf("%8zu %-24s %10.1f %13.2f %12.2f %13.6f %12.0f %7zu\n", r.polygons,
+  std::printf("%8zu %-24s %10.1f %13.2f %12.2f %13.6f %9.1f %9.1f %12.0f %7zu\n", r.polygons,
               r.smoother.c_str(), r.mean(), 100 * r.per_world(r.of_textbook),
-              100 * r.per_world(r.of_search), r.per_world(r.over_taut),
-              r.per_world(static_cast<double>(r.evaluations)), r.failed);
+              100 * r.per_world(r.of_search), r.per_world(r.over_taut), r.per_world(r.travel_s),
+              r.per_world(r.eased_s), r.per_world(static_cast<double>(r.evaluations)), r.failed);
   std::fflush(stdout);
 }
 
 std::string csv_text(const std::vector<Row>& rows) {
   std::string text =
-      "polygons,smoother,worlds,mean_us,of_textbook_astar,of_astar,length_over_taut,evaluations,"
-      "failed\n";
+      "polygons,smoother,worlds,mean_us,of_textbook_astar,of_astar,length_over_taut,travel_s,"
+      "travel_with_jerk_s,evaluations,failed\n";
   char line[256];
   for (const Row& r : rows) {
-    std::snprintf(line, sizeof line, "%zu,%s,%zu,%.3f,%.6f,%.6f,%.9f,%.1f,%zu\n", r.polygons,
-                  r.smoother.c_str(), r.micros.size(), r.mean(), r.per_world(r.of_textbook),
-                  r.per_world(r.of_search), r.per_world(r.over_taut),
+    std::snprintf(line, sizeof line, "%zu,%s,%zu,%.3f,%.6f,%.6f,%.9f,%.3f,%.3f,%.1f,%zu\n",
+                  r.polygons, r.smoother.c_str(), r.micros.size(), r.mean(),
+                  r.per_world(r.of_textbook), r.per_world(r.of_search), r.per_world(r.over_taut),
+                  r.per_world(r.travel_s), r.per_world(r.eased_s),
                   r.per_world(static_cast<double>(r.evaluations)), r.failed);
     text += line;
   }
@@ -147,8 +160,9 @@ int run(const Arguments& args) {
   }
   std::printf("100 x 100 m, lattice 0.25 m, worlds from seed %llu on; times with the proof\n",
               static_cast<unsigned long long>(args.seed));
-  std::printf("%8s %-24s %10s %13s %12s %13s %12s %7s\n", "polygons", "smoother", "mean us",
-              "% textbook A*", "% own A*", "length / taut", "evaluations", "failed");
+  std::printf("%8s %-24s %10s %13s %12s %13s %9s %9s %12s %7s\n", "polygons", "smoother", "mean us",
+              "% textbook A*", "% own A*", "length / taut", "travel s", "with jerk", "evaluations",
+              "failed");
   std::vector<Row> rows;
   for (const std::size_t polygons : args.polygons) {
     for (const Row& row : run_worlds(polygons, chosen, args)) {

@@ -380,10 +380,17 @@ struct Summary {
   double min_clearance = std::numeric_limits<double>::infinity();
   double mean_clearance = 0;  ///< mean over the goals
   double search_us = 0, smooth_us = 0, certify_us = 0;
-  double optimum = 0;  ///< lengths of the shortest paths there are
+  double optimum = 0;   ///< lengths of the shortest paths there are
+  double travel_s = 0;  ///< with default SpeedLimits; NaN where a path cannot be driven
   std::size_t turns = 0, evaluations = 0, fell_back = 0, with_optimum = 0;
   std::uint64_t expanded = 0;
 
+  std::string travel() const {
+    if (std::isnan(travel_s)) return "-";
+    std::array<char, 32> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.2f", travel_s);
+    return buffer.data();
+  }
   /// The ratio to the shortest paths there are, where they are known.
   std::string over_optimum() const {
     if (planned == 0 || with_optimum < planned) return "-";
@@ -412,6 +419,8 @@ Summary summary_of(const Group& group) {
     sum.search_us += s.search_us;
     sum.smooth_us += s.smooth_us;
     sum.certify_us += s.certify_us;
+    const auto profile = SpeedProfile::build(result.plan->curve, {});
+    sum.travel_s += profile ? profile->duration() : std::numeric_limits<double>::quiet_NaN();
     sum.turns += m.turning_points;
     sum.evaluations += result.plan->certificate.evaluations;
     sum.fell_back += result.plan->fell_back ? 1 : 0;
@@ -455,18 +464,18 @@ double taut_length(const S& space, const Group& group) {
 /// of a route may come out shorter than its taut string.
 template <class S>
 void print_smoothers(const S& space, std::span<const Group> groups) {
-  std::printf("%-22s %7s %10s %8s %13s %9s %9s %10s %12s %10s %8s %10s\n", "smoother", "planned",
-              "length m", "/ taut", "max curv. 1/m", "angle deg", "joint deg", "clear >= m",
-              "clear mean m", "us", "proofs", "/ optimum");
+  std::printf("%-22s %7s %10s %8s %13s %9s %9s %10s %12s %8s %10s %8s %10s\n", "smoother",
+              "planned", "length m", "/ taut", "max curv. 1/m", "angle deg", "joint deg",
+              "clear >= m", "clear mean m", "travel s", "us", "proofs", "/ optimum");
   for (const Group& group : groups) {
     const Summary s = summary_of(group);
     std::printf("%-22s %7s", group.front().header.smoother.c_str(), s.share_planned().c_str());
     if (s.planned > 0) {
       const double taut = taut_length(space, group);
-      std::printf(" %10.4f %8.4f %13.4f %9.2f %9.2f %10.4f %12.4f %10.1f %8zu %10s", s.length,
+      std::printf(" %10.4f %8.4f %13.4f %9.2f %9.2f %10.4f %12.4f %8s %10.1f %8zu %10s", s.length,
                   s.length == taut ? 1 : s.length / taut, s.max_curvature, degrees(s.angle),
-                  degrees(s.max_joint_deflection), s.min_clearance, s.mean_clearance, s.smooth_us,
-                  s.evaluations, s.over_optimum().c_str());
+                  degrees(s.max_joint_deflection), s.min_clearance, s.mean_clearance,
+                  s.travel().c_str(), s.smooth_us, s.evaluations, s.over_optimum().c_str());
     }
     if (s.fell_back > 0) std::printf("  (%zu fell back to the route)", s.fell_back);
     std::printf("\n");

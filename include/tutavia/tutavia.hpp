@@ -56,6 +56,8 @@
 #include "tutavia/io/svg.hpp"
 #include "tutavia/io/write_file.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
+#include "tutavia/motion/drive_phases.hpp"
+#include "tutavia/motion/eased_drive.hpp"
 #include "tutavia/motion/speed_profile.hpp"
 #include "tutavia/planner.hpp"
 #include "tutavia/pull/farthest_in_sight.hpp"

@@ -89,6 +89,7 @@ enum Column : std::size_t {
   joint,
   min_clearance,
   mean_clearance,
+  travel_s,
   micros,
   proofs
 };
@@ -188,17 +189,21 @@ TEST_CASE("with --compare all smoothers are set against the taut strings of the 
     REQUIRE(rows.size() >= 9);
     for (const auto& [smoother, figures] : rows) {
       INFO(map << ", " << smoother);
-      REQUIRE(figures.size() >= 10);
+      REQUIRE(figures.size() >= 12);
       CHECK(figures[planned] == "4/4");
       // Only what may go over to the other side of an obstacle can be shorter.
       if (smoother != "homotopy_refine") CHECK(std::stod(figures[over_taut]) >= 0.999);
       CHECK(std::stod(figures.back()) >= 0.9999);  // never than the optimum
       CHECK(std::stod(figures[min_clearance]) >= 0.3);
       CHECK(std::stod(figures[mean_clearance]) > std::stod(figures[min_clearance]));
+      // At 1 m/s, from rest and to rest at 0.5 m/s^2.
+      CHECK(std::stod(figures[travel_s]) >= std::stod(figures[length_m]) + 4 * 2 - 0.01);
       CHECK(std::stoul(figures[proofs]) > 0);
     }
     CHECK(rows.at("taut_string")[over_taut] == "1.0000");
     CHECK(std::stod(rows.at("none")[over_taut]) > 1.01);
+    // Stops at corners take time.
+    CHECK(std::stod(rows.at("none")[travel_s]) > 1.2 * std::stod(rows.at("taut_string")[travel_s]));
     CHECK(rows.at("none")[max_curvature] == "0.0000");
     CHECK(std::stod(rows.at("none")[joint]) >= 45);
     CHECK(rows.at("taut_string")[max_curvature] == "3.3333");  // one over the safety radius

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/motion/speed_profile.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -13,7 +16,9 @@
 #include "support/scale.hpp"
 #include "tutavia/pull/taut_string.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
+#include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/clothoid_smoother.hpp"
+#include "tutavia/smooth/delta_smoother.hpp"
 #include "tutavia/space/inflated_space.hpp"
 
 namespace {
@@ -131,6 +136,209 @@ TEST_CASE("the limits hold everywhere on curves of all kinds; smooth curves are 
   CHECK(spline < stopping);
 }
 
+/// What one profile uses of its limits at most, over many random times.
+struct Use {
+  double speed = 0, lateral = 0, along = 0, jerk = 0;  // of each limit
+  double change_of_place = 0, change_of_speed = 0;     // of what their rates allow
+};
+
+Use use_of(const SpeedProfile& profile, const SpeedLimits& limits, Random& random, int times) {
+  const double duration = profile.duration(), infinity = std::numeric_limits<double>::infinity();
+  const double rate = limits.acceleration + limits.braking;
+  const double rounding =
+      1e-13 * (1 + profile.curve().length() + duration) + 1e-15 * profile.curve().start().norm();
+  Use use;
+  const auto raise = [](double& most, double value) { most = std::max(most, value); };
+  for (int i = 0; i < times; ++i) {
+    const TimedPoint p = profile.at(random.uniform(0, duration));
+    raise(use.speed, p.speed < 0 ? infinity : p.speed / limits.speed);
+    raise(use.lateral, p.speed * p.speed * std::abs(p.curvature) / limits.lateral);
+    raise(use.along, p.acceleration / limits.acceleration);
+    raise(use.along, -p.acceleration / limits.braking);
+    // A while later, as long as a step of a simulation or much shorter.
+    const double later =
+        std::min(p.time + duration * std::pow(10, random.uniform(-7, -2)), duration);
+    const TimedPoint q = profile.at(later);
+    const double t = q.time - p.time;
+    if (!(t > 0)) continue;
+    const double place_error = std::abs(q.s - p.s - 0.5 * t * (p.speed + q.speed));
+    const double speed_error =
+        std::abs(q.speed - p.speed - 0.5 * t * (p.acceleration + q.acceleration));
+    if (std::isinf(limits.jerk)) {  // a trapezoid's error, by how fast what it sums up changes
+      raise(use.change_of_place, place_error / (rate * t * t / 8 + rounding));
+      raise(use.change_of_speed, std::abs(q.speed - p.speed) / (rate * t + rounding));
+    } else {
+      const double change = std::abs(q.acceleration - p.acceleration);
+      raise(use.jerk, change / (limits.jerk * t + 1e-9 * rate));
+      raise(use.change_of_place, place_error / (limits.jerk * t * t * t / 12 + rounding));
+      raise(use.change_of_speed, speed_error / (limits.jerk * t * t / 4 + rounding));
+    }
+  }
+  return use;
+}
+
+void check_profile(const SpeedProfile& profile, const SpeedLimits& limits, Random& random,
+                   int times) {
+  const double tolerance = 1 + 1e-9;
+  REQUIRE(std::isfinite(profile.duration()));
+  const Use use = use_of(profile, limits, random, times);
+  CHECK(use.speed <= tolerance);
+  CHECK(use.lateral <= tolerance);
+  CHECK(use.along <= tolerance);
+  CHECK(use.jerk <= tolerance);
+  CHECK(use.change_of_place <= tolerance);
+  CHECK(use.change_of_speed <= tolerance);
+
+  const TimedPoint first = profile.at(0), last = profile.at(profile.duration());
+  CHECK(first.s == 0);
+  CHECK(first.position == profile.curve().start());
+  CHECK(first.speed == Approx(limits.start_speed).epsilon(1e-12).margin(1e-15));
+  CHECK(last.s == profile.curve().length());
+  CHECK(last.position == profile.curve().end());
+  CHECK(last.speed <= limits.end_speed * tolerance + 1e-9);
+  if (std::isfinite(limits.jerk)) {
+    CHECK(first.acceleration == 0);
+    CHECK(last.acceleration == Approx(0).margin(1e-9));
+  }
+  // What is left at the very end is no more than rounding.
+  const TimedPoint almost = profile.at(profile.duration() * (1 - 1e-12));
+  CHECK(almost.s == Approx(last.s).epsilon(1e-9));
+}
+
+TEST_CASE("profiles of curves of every kind keep all limits at any time, with and without jerk",
+          "[soak]") {
+  const std::uint64_t seed = 620;
+  test::WorldGenerator worlds(seed);
+  Random& random = worlds.random();
+  std::size_t profiles = 0, refused = 0;
+  std::vector<double> with_jerk(6, 0.0), without(6, 0.0);
+  for (std::size_t round = 0; round < test::scaled(12); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const auto task = test::random_task(worlds);
+    if (!task) continue;
+    const auto space = InflatedSpace::build(task->world).value();
+    const Curve route = Curve::polyline(task->route);
+    if (!(route.length() > 0)) continue;
+    Curve arcs;
+    for (int i = 0; i < 6; ++i) {
+      const Point at = arcs.empty() ? Point(1, 1) : arcs.end();
+      const double before = arcs.empty() ? 0 : arcs.heading(arcs.length());
+      const double radius = random.uniform(0.1, 3), sweep = random.uniform(-3, 3);
+      const double out = before + (sweep > 0 ? -pi / 2 : pi / 2);  // from the centre
+      const Point centre = at - radius * Point(std::cos(out), std::sin(out));
+      Arc arc = Arc::around(centre, radius, out, sweep);
+      arc.a = at;
+      arcs.push_back(arc);
+    }
+    const double size = task->world.bounds.width();
+    const Curve curves[] = {
+        route,
+        TautString{}.smooth(space, route, {}).value(),
+        BezierSmoother{}.smooth(space, route, {}).value(),
+        DeltaSmoother{.join = DeltaSmoother::Join::tangent}.smooth(space, route, {}).value(),
+        BSplineSmoother{.reach = size / 20}.smooth(space, route, {}).value(),
+        arcs};
+    SpeedLimits limits{.speed = random.uniform(0.2, 3),
+                       .acceleration = random.uniform(0.1, 2),
+                       .braking = random.uniform(0.1, 2),
+                       .lateral = random.uniform(0.1, 2)};
+    const double jerk = std::pow(10, random.uniform(-1, 2));
+    for (std::size_t k = 0; k < std::size(curves); ++k) {
+      INFO("curve " << k << ", jerk " << jerk);
+      const auto plain = SpeedProfile::build(curves[k], limits);
+      SpeedLimits gentle = limits;
+      gentle.jerk = jerk;
+      const auto eased = SpeedProfile::build(curves[k], gentle);
+      REQUIRE(plain);
+      REQUIRE(eased);
+      check_profile(*plain, limits, random, 10000);
+      check_profile(*eased, gentle, random, 10000);
+      CHECK(eased->duration() >= plain->duration() * (1 - 1e-12));
+      without[k] += plain->duration();
+      with_jerk[k] += eased->duration();
+
+      gentle.start_speed = random.uniform(0, limits.speed);
+      gentle.end_speed = random.uniform(0, limits.speed);
+      const auto rolling = SpeedProfile::build(curves[k], gentle);
+      if (rolling) {
+        check_profile(*rolling, gentle, random, 1000);
+      } else {
+        CHECK(rolling.error().code == PlanError::invalid_option);
+        ++refused;
+      }
+      profiles += rolling ? 3 : 2;
+    }
+  }
+  std::printf("%zu profiles, %zu refused for their start speed; time with jerk to that without:",
+              profiles, refused);
+  for (std::size_t k = 0; k < without.size(); ++k) std::printf(" %.3f", with_jerk[k] / without[k]);
+  std::puts("");
+  CHECK(profiles > test::scaled(60));
+  CHECK(refused < profiles / 4);
+}
+
+TEST_CASE("with jerk, a straight line from rest to rest takes longer by one window") {
+  SpeedLimits limits{.speed = 2, .acceleration = 1, .braking = 0.5, .jerk = 0.75};
+  // 8 s without a limit of jerk (see above); the window is 1.5 / 0.75 = 2 s.
+  const auto profile = SpeedProfile::build(line(10), limits).value();
+  CHECK(profile.duration() == Approx(8 + 2));
+  CHECK(profile.at(1).acceleration == Approx(0.5));  // half of the window accelerates
+  CHECK(profile.at(2).acceleration == Approx(1));
+  CHECK(profile.at(5).speed == Approx(2 - 0.25 / 2));  // the second half brakes
+  CHECK(profile.at(99).position == Point(11, 1));
+  // The shorter the way, the gentler: not far from the least time for it, (32 L / j)^(1/3).
+  for (const double length : {1.0, 0.1, 1e-3, 1e-6}) {
+    limits.braking = limits.acceleration;
+    const double least = std::cbrt(32 * length / limits.jerk);
+    const double time = SpeedProfile::build(line(length), limits)->duration();
+    CHECK(time >= least * (1 - 1e-9));
+    CHECK(time <= 1.25 * least);
+  }
+  // The more jerk, the closer to none.
+  limits.jerk = 1e9;
+  CHECK(SpeedProfile::build(line(10), limits)->duration() == Approx(2 + 3 + 2).epsilon(1e-6));
+}
+
+TEST_CASE("with jerk, rolling in and out is kept, and no start that cannot be braked from") {
+  SpeedLimits limits{.jerk = 1, .start_speed = 1, .end_speed = 1};
+  const auto roll = SpeedProfile::build(line(10), limits).value();
+  CHECK(roll.duration() == Approx(10));
+  CHECK(roll.at(5).speed == Approx(1));
+  limits.end_speed = 0;
+  CHECK(SpeedProfile::build(line(10), limits));
+  // Without a limit of jerk 1 m is enough to brake on.
+  const auto refused = SpeedProfile::build(line(1), limits);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code == PlanError::invalid_option);
+  CHECK(refused.error().detail.find("start_speed ") == 0);
+  // Nor from a start so close before a bend that the first change of speed would come behind it.
+  const auto before_bend = [](double straight) {
+    Curve curve;
+    curve.push_back(Segment{{-straight, 0}, {0, 0}});
+    Arc arc = Arc::around({0, 1.62}, 1.62, -pi / 2, 0.2);  // at 0.9 m/s
+    arc.a = {0, 0};
+    curve.push_back(arc);
+    const Point end = curve.end();
+    curve.push_back(Segment{end, {end.x() + 20 * std::cos(0.2), end.y() + 20 * std::sin(0.2)}});
+    return curve;
+  };
+  limits = {.jerk = 0.1, .start_speed = 1};
+  CHECK_FALSE(SpeedProfile::build(before_bend(1), limits));
+  const auto bend = SpeedProfile::build(before_bend(8), limits);
+  REQUIRE(bend);
+  Random random(1);
+  check_profile(*bend, limits, random, 1000);
+  // Stops at corners, one after the other.
+  limits = {.jerk = 1};
+  const Point corner[] = {{0, 0}, {2, 0}, {2, 2}};
+  const auto stops = SpeedProfile::build(Curve::polyline(corner), limits).value();
+  const double once = SpeedProfile::build(line(2), limits)->duration();
+  CHECK(stops.duration() == Approx(2 * once));
+  CHECK(stops.at(once).speed == Approx(0).margin(1e-12));
+  CHECK(stops.at(once).acceleration == Approx(0).margin(1e-9));
+  CHECK(stops.at(once).position.isApprox(Point(2, 0)));
+}
+
 TEST_CASE("limits out of range are refused by name, and what cannot be followed") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refusal = [](const SpeedLimits& limits) {
@@ -143,6 +351,8 @@ TEST_CASE("limits out of range are refused by name, and what cannot be followed"
   CHECK(refusal({.acceleration = nan}).find("acceleration ") == 0);
   CHECK(refusal({.braking = -1}).find("braking ") == 0);
   CHECK(refusal({.lateral = std::numeric_limits<double>::infinity()}).find("lateral ") == 0);
+  CHECK(refusal({.jerk = 0}).find("jerk ") == 0);
+  CHECK(refusal({.jerk = nan}).find("jerk ") == 0);
   CHECK(refusal({.start_speed = 2}).find("start_speed ") == 0);
   CHECK(refusal({.end_speed = nan}).find("end_speed ") == 0);
   // From 1 m/s it takes 1 m to stop at 0.5 m/s^2.

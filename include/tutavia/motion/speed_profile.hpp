@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -14,20 +15,24 @@
 #include "tutavia/core/assert.hpp"
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/motion/drive_phases.hpp"
+#include "tutavia/motion/eased_drive.hpp"
 
 /// \file
-/// SpeedProfile: the fastest way along a curve within limits.
+/// SpeedProfile: how fast to drive along a curve within limits.
 
 namespace tutavia {
 
-/// What a robot can do. All but the speeds at the ends must be positive and finite.
+/// What a robot can do. All but the speeds at the ends must be positive, all but the jerk finite.
 struct SpeedLimits {
   double speed = 1;           ///< [m/s]
   double acceleration = 0.5;  ///< along the curve [m/s^2]
   double braking = 0.5;       ///< along the curve, as a positive number [m/s^2]
   double lateral = 0.5;       ///< across the curve: speed squared times curvature [m/s^2]
-  double start_speed = 0;     ///< [m/s]
-  double end_speed = 0;       ///< at most this at the end [m/s]
+  /// How fast the acceleration along the curve may change [m/s^3]; infinity: in jumps.
+  double jerk = std::numeric_limits<double>::infinity();
+  double start_speed = 0;  ///< [m/s]
+  double end_speed = 0;    ///< at most this at the end [m/s]
 };
 
 /// What a robot does at one time on its way.
@@ -41,54 +46,54 @@ struct TimedPoint {
   double acceleration = 0;  ///< along the curve [m/s^2]
 };
 
-/// A curve with the speed along it: as fast as the limits allow, which hold everywhere on the
-/// curve, not only at samples.
+/// A curve with the speed along it, within limits that hold everywhere on the curve, not only at
+/// samples.
 ///
 /// The curve is cut into intervals, each with a bound on its curvature in closed form and so on its
 /// speed. Over the square of the speed a constant acceleration is a straight line: one pass forward
 /// and one backward give the speeds at the ends of the intervals, and within an interval the robot
-/// accelerates, keeps its speed and brakes. At corners, where the direction jumps, it stops. O(n)
-/// for n pieces.
+/// accelerates, keeps its speed and brakes. At corners, where the direction jumps, it stops. As
+/// fast as these bounds allow; O(n) for n pieces.
+///
+/// With a finite `jerk` the acceleration is continuous, too, and 0 at both ends and at stops. From
+/// stop to stop the robot then drives an average over time of such a motion (see EasedDrive), which
+/// takes longer than the fastest motion within the limits: on a long straight line from rest to
+/// rest (a + b) / jerk more than without that limit, where the fastest takes half of that; and
+/// bends slow it down somewhat before and after them. O(n log n) for n pieces.
 ///
 /// Source: Bobrow, Dubowsky and Gibson 1985, "Time-optimal control of robotic manipulators along
 /// specified paths", for accelerations that do not depend on the place.
 class SpeedProfile {
  public:
   /// `invalid_option` for limits that are out of range and for a start speed from which the robot
-  /// cannot brake in time, `invalid_input` for a curve that is empty or cannot be followed at any
-  /// speed: one with a cusp.
+  /// cannot brake in time (with a finite jerk: from which this motion cannot), `invalid_input` for
+  /// a curve that is empty or cannot be followed at any speed: one with a cusp.
   static Expected<SpeedProfile, Failure> build(Curve curve, const SpeedLimits& limits);
 
   const Curve& curve() const { return curve_; }
   /// Of the whole way [s].
-  double duration() const {
-    return phases_.empty() ? 0 : phases_.back().time + phases_.back().duration;
-  }
+  double duration() const { return duration_; }
   /// The state at a time; before the start and after the end, the states there.
   TimedPoint at(double time) const;
   /// The states at equal steps of time, at most `step` apart, both ends included. \pre step > 0
   std::vector<TimedPoint> sample(double step) const;
 
  private:
-  /// A stretch of constant acceleration.
-  struct Phase {
-    double time, s, speed, acceleration, duration;
-
-    /// Arc length at t after its start.
-    double s_after(double t) const { return s + t * (speed + 0.5 * acceleration * t); }
-  };
-  /// A stretch with a limit on the square of the speed.
-  struct Interval {
-    double length, limit;
+  /// A part of the way from one stop to the next.
+  struct Leg {
+    double time;  // at its start
+    EasedDrive drive;
   };
 
   static const char* invalid_option(const SpeedLimits& limits);
-  static std::vector<Interval> intervals(const Curve& curve, const SpeedLimits& limits);
+  static std::vector<SpeedStretch> intervals(const Curve& curve, const SpeedLimits& limits);
   /// Squares of the speed limits where intervals meet and at both ends.
   static std::vector<double> joint_limits(const Curve& curve, const SpeedLimits& limits,
-                                          const std::vector<Interval>& intervals);
-  void append(double from, double to, const Interval& interval, const SpeedLimits& limits);
-  void append_phase(double length, double from, double to, double acceleration);
+                                          const std::vector<SpeedStretch>& intervals);
+  /// False where it cannot brake from the start speed.
+  bool add_legs(std::span<const SpeedStretch> stretches, std::span<const double> joint_limits,
+                const SpeedLimits& limits);
+  DriveState state_at(double time) const;
 
   /// Pieces along which the curvature changes are cut into several intervals.
   template <class P>
@@ -97,7 +102,9 @@ class SpeedProfile {
   }
 
   Curve curve_;
-  std::vector<Phase> phases_;
+  double duration_ = 0;
+  DrivePhases phases_;     // without a limit of jerk
+  std::vector<Leg> legs_;  // with one
 };
 
 inline const char* SpeedProfile::invalid_option(const SpeedLimits& limits) {
@@ -106,6 +113,7 @@ inline const char* SpeedProfile::invalid_option(const SpeedLimits& limits) {
   if (!is_positive(limits.acceleration)) return "acceleration must be positive and finite";
   if (!is_positive(limits.braking)) return "braking must be positive and finite";
   if (!is_positive(limits.lateral)) return "lateral must be positive and finite";
+  if (!(limits.jerk > 0)) return "jerk must be positive";
   if (!(0 <= limits.start_speed && limits.start_speed <= limits.speed)) {
     return "start_speed must lie between 0 and speed";
   }
@@ -113,9 +121,9 @@ inline const char* SpeedProfile::invalid_option(const SpeedLimits& limits) {
   return nullptr;
 }
 
-inline std::vector<SpeedProfile::Interval> SpeedProfile::intervals(const Curve& curve,
-                                                                   const SpeedLimits& limits) {
-  std::vector<Interval> result;
+inline std::vector<SpeedStretch> SpeedProfile::intervals(const Curve& curve,
+                                                         const SpeedLimits& limits) {
+  std::vector<SpeedStretch> result;
   const auto add = [&](double length, double curvature) {
     result.push_back({length, std::min(limits.speed * limits.speed, limits.lateral / curvature)});
   };
@@ -135,7 +143,7 @@ inline std::vector<SpeedProfile::Interval> SpeedProfile::intervals(const Curve& 
 }
 
 inline std::vector<double> SpeedProfile::joint_limits(const Curve& curve, const SpeedLimits& limits,
-                                                      const std::vector<Interval>& intervals) {
+                                                      const std::vector<SpeedStretch>& intervals) {
   std::vector<double> squares(intervals.size() + 1, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     squares[i] = std::min(squares[i], intervals[i].limit);
@@ -164,70 +172,79 @@ inline std::vector<double> SpeedProfile::joint_limits(const Curve& curve, const 
 inline Expected<SpeedProfile, Failure> SpeedProfile::build(Curve curve, const SpeedLimits& limits) {
   if (const char* option = invalid_option(limits)) return fail(PlanError::invalid_option, option);
   if (curve.empty()) return fail(PlanError::invalid_input, "the curve is empty");
-  const std::vector<Interval> stretches = intervals(curve, limits);
-  std::vector<double> squares = joint_limits(curve, limits, stretches);
-  const double start = limits.start_speed * limits.start_speed;
-  for (std::size_t i = stretches.size(); i-- > 0;) {
-    squares[i] = std::min(squares[i], squares[i + 1] + 2 * limits.braking * stretches[i].length);
+  const std::vector<SpeedStretch> stretches = intervals(curve, limits);
+  for (const SpeedStretch& stretch : stretches) {
+    if (stretch.length > 0 && !(stretch.limit > 0)) {
+      return fail(PlanError::invalid_input, "the curve has a cusp, where nothing can follow it");
+    }
   }
+  const std::vector<double> most = joint_limits(curve, limits, stretches);
+  std::vector<double> squares = squares_to_brake_from(stretches, most, limits.braking);
+  const double start = limits.start_speed * limits.start_speed;
   if (start > squares[0] * (1 + 1e-12)) {
     return fail(PlanError::invalid_option, "start_speed is too high to brake from: at most " +
                                                std::to_string(std::sqrt(squares[0])) + " m/s");
   }
   squares[0] = std::min(start, squares[0]);
   SpeedProfile profile;
-  for (std::size_t i = 0; i < stretches.size(); ++i) {
-    const Interval& stretch = stretches[i];
-    if (stretch.length > 0 && !(stretch.limit > 0)) {
-      return fail(PlanError::invalid_input, "the curve has a cusp, where nothing can follow it");
-    }
-    squares[i + 1] =
-        std::min(squares[i + 1], squares[i] + 2 * limits.acceleration * stretch.length);
-    profile.append(squares[i], squares[i + 1], stretch, limits);
+  if (std::isinf(limits.jerk)) {
+    profile.phases_.drive(stretches, squares, limits.acceleration, limits.braking);
+    profile.duration_ = profile.phases_.end_time();
+  } else if (!profile.add_legs(stretches, most, limits)) {
+    return fail(PlanError::invalid_option,
+                "start_speed is too high to brake from with so little jerk");
   }
   profile.curve_ = std::move(curve);
   return profile;
 }
 
-/// Accelerates from one square of the speed to the largest that leaves room to brake to the other.
-inline void SpeedProfile::append(double from, double to, const Interval& interval,
-                                 const SpeedLimits& limits) {
-  if (!(interval.length > 0)) return;
-  const double a = limits.acceleration, b = limits.braking;
-  const double reachable = (b * from + a * to + 2 * a * b * interval.length) / (a + b);
-  const double peak = std::max({std::min(reachable, interval.limit), from, to});
-  const double up = (peak - from) / (2 * a), down = (peak - to) / (2 * b);
-  append_phase(up, from, peak, a);
-  append_phase(interval.length - up - down, peak, peak, 0);
-  append_phase(down, peak, to, -b);
+inline bool SpeedProfile::add_legs(std::span<const SpeedStretch> stretches,
+                                   std::span<const double> joint_limits,
+                                   const SpeedLimits& limits) {
+  double s = 0, length = 0;
+  for (std::size_t first = 0, i = 0; i < stretches.size(); ++i) {
+    length += stretches[i].length;
+    const bool is_last = i + 1 == stretches.size();
+    if (!is_last && joint_limits[i + 1] > 0) continue;
+    if (length > 0) {
+      auto drive = EasedDrive::over(stretches.subspan(first, i + 1 - first), s,
+                                    {.acceleration = limits.acceleration,
+                                     .braking = limits.braking,
+                                     .jerk = limits.jerk,
+                                     .start_speed = s == 0 ? limits.start_speed : 0,
+                                     .end_speed = is_last ? limits.end_speed : 0});
+      if (!drive) return false;
+      legs_.push_back({duration_, std::move(*drive)});
+      duration_ += legs_.back().drive.duration();
+    }
+    first = i + 1;
+    s += length;
+    length = 0;
+  }
+  return true;
 }
 
-inline void SpeedProfile::append_phase(double length, double from, double to, double acceleration) {
-  if (!(length > 0)) return;
-  const double speed = std::sqrt(from), mean = 0.5 * (speed + std::sqrt(to));
-  if (!(mean > 0)) return;
-  const double s = phases_.empty() ? 0 : phases_.back().s_after(phases_.back().duration);
-  phases_.push_back({duration(), s, speed, acceleration, length / mean});
+inline DriveState SpeedProfile::state_at(double time) const {
+  if (legs_.empty()) return phases_.at(time);
+  const auto after = std::upper_bound(legs_.begin() + 1, legs_.end(), time,
+                                      [](double t, const Leg& leg) { return t < leg.time; });
+  const Leg& leg = *(after - 1);
+  return leg.drive.at(std::clamp(time - leg.time, 0.0, leg.drive.duration()));
 }
 
 inline TimedPoint SpeedProfile::at(double time) const {
-  TimedPoint state;
-  state.time = std::clamp(time, 0.0, duration());
-  if (!phases_.empty()) {
-    const auto after =
-        std::upper_bound(phases_.begin() + 1, phases_.end(), state.time,
-                         [](double t, const Phase& phase) { return t < phase.time; });
-    const Phase& phase = *(after - 1);
-    const double t = std::min(state.time - phase.time, phase.duration);
-    state.s = phase.s_after(t);
-    state.speed = std::max(0.0, phase.speed + phase.acceleration * t);
-    state.acceleration = phase.acceleration;
-  }
-  const CurvePoint place = curve_.at(state.s);
-  state.position = place.position;
-  state.heading = place.heading;
-  state.curvature = place.curvature;
-  return state;
+  TimedPoint point;
+  point.time = std::clamp(time, 0.0, duration());
+  const DriveState state = state_at(point.time);
+  // What the intervals add up to may differ from the length by rounding.
+  point.s = time >= duration() ? curve_.length() : std::min(state.s, curve_.length());
+  point.speed = state.speed;
+  point.acceleration = state.acceleration;
+  const CurvePoint place = curve_.at(point.s);
+  point.position = place.position;
+  point.heading = place.heading;
+  point.curvature = place.curvature;
+  return point;
 }
 
 inline std::vector<TimedPoint> SpeedProfile::sample(double step) const {
