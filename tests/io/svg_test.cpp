@@ -52,6 +52,20 @@ TEST_CASE("clothoids are drawn as cubics that follow them") {
   CHECK(count(svg, "nan") == 0);
 }
 
+TEST_CASE("arcs are drawn on the side where they lie, with y up and with y down") {
+  for (const double sweep : {1.0, -1.0}) {
+    for (const bool y_down : {false, true}) {
+      Plan plan;
+      plan.curve.push_back(Arc::around({2, 2}, 1, 0, sweep));
+      const Workspace world{.bounds = {{0, 0}, {4, 4}}};
+      const std::string svg = to_svg(world, std::span(&plan, 1), {.y_down = y_down});
+      const bool is_clockwise = (sweep > 0) == y_down;  // as seen in the picture
+      CHECK(count(svg, " 0 0 1 ") == (is_clockwise ? 4 : 0));
+      CHECK(count(svg, " 0 0 0 ") == (is_clockwise ? 0 : 4));
+    }
+  }
+}
+
 TEST_CASE("a workspace can be drawn without a plan, holes and discs included") {
   const Workspace world{
       .bounds = {{0, 0}, {4, 2}},

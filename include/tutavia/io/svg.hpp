@@ -180,10 +180,11 @@ class SvgPicture {
         d += "C" + at(c->points[1]) + " " + at(c->points[2]) + " " + at(c->points[3]);
       } else if (const auto* arc = std::get_if<Arc>(&any)) {
         // Two halves, because SVG cannot tell a full circle from none; y points down there.
+        const bool is_clockwise = (arc->sweep > 0) == options_.y_down;
         const std::string radius = number(arc->radius * scale_);
         for (const double t : {0.5, 1.0}) {
           d.append("A").append(radius).append(" ").append(radius);
-          d.append(arc->sweep > 0 ? " 0 0 0 " : " 0 0 1 ").append(at(arc->point(t)));
+          d.append(is_clockwise ? " 0 0 1 " : " 0 0 0 ").append(at(arc->point(t)));
         }
       } else if (const auto* clothoid = std::get_if<Clothoid>(&any)) {
         d += clothoid_path(*clothoid);
