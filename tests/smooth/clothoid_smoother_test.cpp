@@ -131,6 +131,23 @@ TEST_CASE("a minimum turning radius is kept, or smoothing fails") {
         8);
 }
 
+TEST_CASE("a curve with a corner before an arc keeps no turning radius") {
+  // The start lies within the circle of the arc, so that no way touches it.
+  const auto space = around(Polygon{{{6, -6}}});
+  Curve corner;
+  corner.push_back(Segment{{1.5, 0}, {2, 0}});
+  corner.push_back(Arc::around({0, 0}, 2, 0, 1.5));
+  const auto refused = ClothoidSmoother{.min_turning_radius = 1}.smooth(space, corner, {});
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code == PlanError::not_proved);
+  CHECK(ClothoidSmoother{}.smooth(space, corner, {}).value().length() == corner.length());
+  // Without the corner it is as gentle as its arc.
+  Curve arc;
+  arc.push_back(corner.pieces()[1]);
+  CHECK(ClothoidSmoother{.min_turning_radius = 1}.smooth(space, arc, {}).value().length() ==
+        arc.length());
+}
+
 TEST_CASE("paths of continuous curvature through random worlds are proved", "[soak]") {
   const std::uint64_t seed = 60;
   test::WorldGenerator worlds(seed);

@@ -37,8 +37,8 @@ enum class Spirals {
 /// `max_joint_deflection` of the metrics tell. Cubic Beziers know the pair alone.
 ///
 /// Guarantees: the ends are exact; all pieces are proved at the safety radius; the bends' radii are
-/// no less than those of the string's arcs and than `min_turning_radius`. The length exceeds the
-/// string's by the clearance budget times its own turning angle at most, more only where
+/// no less than those of the string's arcs and than `min_turning_radius`. The length exceeds that
+/// of a taut string by the clearance budget times its own turning angle at most, more only where
 /// `min_turning_radius` asks for wider bends. O(n) proofs for n bends.
 ///
 /// Source: Meek and Walton 1992, "Clothoid spline transition spirals"; Yang and Sukkarieh 2010 for

@@ -63,6 +63,7 @@ class SpiralString {
 
   /// Whether the string as it was kept the least turning radius.
   bool was_gentle() const {
+    if (had_corner_ && options_.min_turning_radius > 0) return false;
     return std::all_of(bends_.begin(), bends_.end(), [&](const Bend& bend) {
       return bend.turn == 0 || bend.core.radius >= options_.min_turning_radius;
     });
@@ -133,6 +134,10 @@ class SpiralString {
     Point direction = Point::Zero();
     for (const Piece& piece : curve.pieces()) {
       if (const Arc* arc = std::get_if<Arc>(&piece)) {
+        if (!is_null(direction)) {
+          const double turn = deflection(direction, arc->start_direction());
+          had_corner_ = had_corner_ || std::abs(turn) > 1e-6;
+        }
         const Bend& last = bends_.back();
         const bool goes_on = bends_.size() > 1 && last.core.center == arc->center &&
                              last.core.radius == arc->radius && last.turn * arc->sweep > 0;
@@ -430,6 +435,7 @@ class SpiralString {
   const S& space_;
   Options options_;
   std::vector<Bend> bends_;
+  bool had_corner_ = false;  // before an arc, where there is no bend of its own
   std::optional<Failure> failure_;
   std::vector<std::size_t> blocked_bends_, blocked_ways_;
 };
