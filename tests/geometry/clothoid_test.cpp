@@ -137,6 +137,19 @@ TEST_CASE("the nearest point of a clothoid is as near as any sample") {
   }
 }
 
+TEST_CASE("the nearest point of a circle to its centre is found soon") {
+  std::size_t places = 0;
+  for (const double sharpness : {0.0, 1e-12, 1e-9, 1e-6}) {
+    for (int i = 0; i < 50; ++i, ++places) {
+      const Clothoid c = Clothoid::from({1, 0}, pi / 2, 1, sharpness, 3);
+      const Point p = c.point(c.nearest_parameter({0, 0}));
+      CHECK(p.norm() <= c.end().norm() + 4e-6);
+      CHECK(p.norm() == Approx(1).epsilon(4e-6));
+    }
+  }
+  CHECK(places == 200);  // two minutes and more, if every part were halved to the last
+}
+
 TEST_CASE("numbers that make no clothoid are not finite") {
   CHECK(Clothoid::from({0, 0}, 0, 2, 0, 32).is_finite());
   CHECK_FALSE(Clothoid::from({0, 0}, 0, 2, 0, 33).is_finite());
@@ -144,6 +157,7 @@ TEST_CASE("numbers that make no clothoid are not finite") {
   CHECK_FALSE(Clothoid::from({0, 0}, std::nan(""), 0, 0, 1).is_finite());
   CHECK_FALSE(Clothoid::from({0, 0}, 0, 0, 0, INFINITY).is_finite());
   CHECK_FALSE(Clothoid::from({NAN, 0}, 0, 0, 0, 1).is_finite());
+  CHECK_FALSE(Clothoid::from({0, 0}, 0, 100, 0, -3).is_finite());  // turns by 300
 }
 
 TEST_CASE("a clothoid in a curve is addressed by its arc length") {

@@ -88,9 +88,10 @@ struct Clothoid {
     return result;
   }
 
+  /// Whether the numbers make a curve: finite, no negative length, no more than `max_turn`.
   bool is_finite() const {
     return tutavia::is_finite(a) && tutavia::is_finite(b) && std::isfinite(start_heading) &&
-           std::isfinite(sharpness) && std::isfinite(arc_length) &&
+           std::isfinite(sharpness) && std::isfinite(arc_length) && arc_length >= 0 &&
            largest_curvature() * arc_length <= max_turn;
   }
 
