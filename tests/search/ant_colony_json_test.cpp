@@ -50,6 +50,27 @@ TEST_CASE("what ants find is a path, the same from the same seed") {
   CHECK(found > test::scaled(10));
 }
 
+TEST_CASE("ants find the way with any weights that are allowed") {
+  AntColony::Scratch scratch;
+  NoObserver nobody;
+  const auto length = [&](int width, int height, const AntColony& ants) {
+    OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
+    for (int y = 0; y < height; ++y) grid.set_run(y, 0, width - 1, true);
+    const auto space = CellSpace::build(std::move(grid)).value();
+    const Query query{.start = {0.5, 0.5}, .goal = {width - 0.5, 0.5}};
+    const auto route = ants.search(space, query, scratch, nobody);
+    REQUIRE(route);
+    return route->curve.length();
+  };
+  // The hundredth power of 1 / 2500 is 0 in doubles.
+  CHECK(length(2500, 1, {.ants = 2, .iterations = 2, .distance_weight = 100}) == 2499);
+  // The hundredth power of a scent, in units that grow from round to round, is infinite.
+  for (const double evaporation : {0.0, 0.3, 0.9, 0.99999}) {
+    INFO(evaporation);
+    CHECK(length(40, 10, {.scent_weight = 100, .evaporation = evaporation}) < 400);
+  }
+}
+
 TEST_CASE("ants learn: more rounds give shorter paths on the grids of the SSA-A* paper") {
   for (const std::string kind : {"cluster_20", "random_20"}) {
     double few = 0, many = 0, shortest = 0;

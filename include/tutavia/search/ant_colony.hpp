@@ -170,19 +170,22 @@ class Colony {
 
   /// The next step of an ant; none where all cells around it are blocked or behind it.
   std::optional<std::size_t> choose(std::size_t at, Cell cell, std::uint32_t ant) {
+    // Logarithms, less the largest: powers alone overflow, or vanish for all steps.
     std::array<double, 8> weights{};
-    double sum = 0;
+    weights.fill(-std::numeric_limits<double>::infinity());
+    double largest = -std::numeric_limits<double>::infinity(), sum = 0;
     for (unsigned left = table_[grid_.neighbourhood(at)]; left != 0; left &= left - 1) {
       const auto step = static_cast<std::size_t>(std::countr_zero(left));
       const Cell next = cell + steps[step];
       if (scratch_.visited[grid_.index(next)] == ant) continue;
       const double dx = next.x - linked_.goal_cell.x, dy = next.y - linked_.goal_cell.y;
       const double nearness = 1 / (std::sqrt(dx * dx + dy * dy) + 1e-3);
-      weights[step] = std::pow(first_ + scents_[8 * at + step], options_.scent_weight) *
-                      std::pow(nearness, options_.distance_weight);
-      sum += weights[step];
+      weights[step] = options_.scent_weight * std::log(first_ + scents_[8 * at + step]) +
+                      options_.distance_weight * std::log(nearness);
+      largest = std::max(largest, weights[step]);
     }
-    if (!(sum > 0)) return std::nullopt;
+    if (!std::isfinite(largest)) return std::nullopt;
+    for (double& weight : weights) sum += weight = std::exp(weight - largest);
     double place = random_.uniform() * sum;
     std::optional<std::size_t> chosen;
     for (std::size_t step = 0; step < weights.size(); ++step) {
@@ -206,8 +209,10 @@ class Colony {
   void fade() {
     unit_ /= 1 - options_.evaporation;
     if (unit_ < 1e100) return;
-    for (std::size_t i = 0; i < scents_.size(); ++i) scents_[i] /= unit_;
-    first_ /= unit_;
+    for (std::size_t i = 0; i < scents_.size(); ++i) {
+      if (scents_[i] != 0) scents_[i] /= unit_;  // what was never written costs no memory
+    }
+    first_ = std::max(first_ / unit_, std::numeric_limits<double>::min());
     unit_ = 1;
   }
 
