@@ -7,14 +7,12 @@
 #include <numbers>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include "tutavia/core/random.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/optimal_tree.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/route.hpp"
-#include "tutavia/search/tree_growth.hpp"
 
 /// \file
 /// InformedRrtStar: RRT* that samples where its path can still get shorter.
@@ -100,19 +98,10 @@ Point sample_in(const Ellipse& ellipse, Growth& growth) {
 template <FreeSpace S, Observer O>
 Expected<Route, Failure> InformedRrtStar::search(const S& space, const Query& query,
                                                  Scratch& scratch, O& observer) const {
-  const detail::NeighbourRule rule{neighbours, rewire_factor};
-  if (auto failure = rule.check()) return Unexpected{std::move(*failure)};
-  if (auto failure = detail::check_growth(space, query, step, goal_bias, iterations)) {
-    return Unexpected{std::move(*failure)};
-  }
-  detail::TreeGrowth growth(space, query, step, observer);
-  const detail::LengthCost length;
-  detail::OptimalTree tree(growth, rule, length, scratch);
-  if (auto straight = detail::straight_route(space, query)) return std::move(*straight);
-  return detail::grow_route(tree, growth, iterations, [&] {
-    if (!tree.has_path()) return growth.sample(goal_bias);
-    return detail::sample_in(detail::Ellipse(query.start, query.goal, tree.cost()), growth);
-  });
+  return detail::search_with_optimal_tree(
+      *this, space, query, scratch, observer, [&](auto& growth, double cost) {
+        return detail::sample_in(detail::Ellipse(query.start, query.goal, cost), growth);
+      });
 }
 
 }  // namespace tutavia

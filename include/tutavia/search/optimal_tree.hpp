@@ -194,18 +194,19 @@ class OptimalTree {
   double best_ = infinity;
 };
 
-/// Grows a tree towards `iterations` samples and takes its best path, also where the budget ends
-/// before they do. `sample()` gives a point.
-template <class EdgeCost, FreeSpace S, Observer O, class Sample>
+/// Grows a tree towards as many samples as `options.iterations` and takes its best path, also where
+/// the budget ends before they do. From the first path on the samples are `sample(cost of the best
+/// path)`, before that uniform with `options.goal_bias`.
+template <class Options, class EdgeCost, FreeSpace S, Observer O, class Sample>
 Expected<Route, Failure> grow_route(OptimalTree<EdgeCost, S, O>& tree, TreeGrowth<S, O>& growth,
-                                    std::uint32_t iterations, const Sample& sample) {
+                                    const Options& options, const Sample& sample) {
   Failure end{.code = PlanError::budget_exhausted};
-  for (std::uint32_t i = 0; i < iterations; ++i) {
+  for (std::uint32_t i = 0; i < options.iterations; ++i) {
     if (auto failure = growth.next_iteration()) {
       end = std::move(*failure);
       break;
     }
-    tree.grow(sample());
+    tree.grow(tree.has_path() ? sample(tree.cost()) : growth.sample(options.goal_bias));
   }
   if (!tree.has_path() || end.code == PlanError::cancelled) {
     return Unexpected{growth.failure(std::move(end), tree.nodes())};
@@ -215,6 +216,32 @@ Expected<Route, Failure> grow_route(OptimalTree<EdgeCost, S, O>& tree, TreeGrowt
   route.cost = tree.cost();
   route.stats = growth.stats();
   return route;
+}
+
+/// What is wrong with the options of a search with an `OptimalTree`, or with the query.
+template <class Options, FreeSpace S>
+std::optional<Failure> check_optimal_growth(const Options& options, const S& space,
+                                            const Query& query) {
+  if (auto failure = NeighbourRule{options.neighbours, options.rewire_factor}.check()) {
+    return failure;
+  }
+  return check_growth(space, query, options.step, options.goal_bias, options.iterations);
+}
+
+/// A search for the shortest path. From the first path on the samples are `sample(growth, cost of
+/// the best path)`.
+template <class Options, FreeSpace S, Observer O, class Sample>
+Expected<Route, Failure> search_with_optimal_tree(const Options& options, const S& space,
+                                                  const Query& query, OptimalTreeScratch& scratch,
+                                                  O& observer, const Sample& sample) {
+  if (auto failure = check_optimal_growth(options, space, query)) {
+    return Unexpected{std::move(*failure)};
+  }
+  TreeGrowth growth(space, query, options.step, observer);
+  const LengthCost length;
+  OptimalTree tree(growth, {options.neighbours, options.rewire_factor}, length, scratch);
+  if (auto straight = straight_route(space, query)) return std::move(*straight);
+  return grow_route(tree, growth, options, [&](double cost) { return sample(growth, cost); });
 }
 
 }  // namespace detail

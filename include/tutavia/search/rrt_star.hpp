@@ -4,13 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/optimal_tree.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/route.hpp"
-#include "tutavia/search/tree_growth.hpp"
 
 /// \file
 /// RrtStar: a random tree whose paths become the shortest ones.
@@ -44,18 +42,8 @@ struct RrtStar {
   template <FreeSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    const detail::NeighbourRule rule{neighbours, rewire_factor};
-    if (auto failure = rule.check()) return Unexpected{std::move(*failure)};
-    if (auto failure = detail::check_growth(space, query, step, goal_bias, iterations)) {
-      return Unexpected{std::move(*failure)};
-    }
-    detail::TreeGrowth growth(space, query, step, observer);
-    const detail::LengthCost length;
-    detail::OptimalTree tree(growth, rule, length, scratch);
-    if (auto straight = detail::straight_route(space, query)) return std::move(*straight);
-    return detail::grow_route(tree, growth, iterations, [&] {
-      return tree.has_path() ? growth.sample() : growth.sample(goal_bias);
-    });
+    return detail::search_with_optimal_tree(*this, space, query, scratch, observer,
+                                            [](auto& growth, double) { return growth.sample(); });
   }
 };
 

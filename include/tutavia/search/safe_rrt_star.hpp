@@ -114,9 +114,7 @@ Route pruned(const S& space, const std::vector<Point>& path, const EdgeCost& edg
 template <ClearanceSpace S, Observer O>
 Expected<Route, Failure> SafeRrtStar::search(const S& space, const Query& query, Scratch& scratch,
                                              O& observer) const {
-  const detail::NeighbourRule rule{neighbours, rewire_factor};
-  if (auto failure = rule.check()) return Unexpected{std::move(*failure)};
-  if (auto failure = detail::check_growth(space, query, step, goal_bias, iterations)) {
+  if (auto failure = detail::check_optimal_growth(*this, space, query)) {
     return Unexpected{std::move(*failure)};
   }
   const RiskZone risk_zone = zone(space);
@@ -128,10 +126,8 @@ Expected<Route, Failure> SafeRrtStar::search(const S& space, const Query& query,
   const auto grow = [&](const auto& where, const auto& edge_cost,
                         const Statistics& before) -> Expected<Route, Failure> {
     detail::TreeGrowth growth(where, query, step, observer, before);
-    detail::OptimalTree tree(growth, rule, edge_cost, scratch);
-    auto found = detail::grow_route(tree, growth, iterations, [&] {
-      return tree.has_path() ? growth.sample() : growth.sample(goal_bias);
-    });
+    detail::OptimalTree tree(growth, {neighbours, rewire_factor}, edge_cost, scratch);
+    auto found = detail::grow_route(tree, growth, *this, [&](double) { return growth.sample(); });
     if (!found) return found;
     Route route = detail::pruned(where, joints(found->curve), edge_cost, prune);
     route.stats = found->stats;
