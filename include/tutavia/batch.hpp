@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <thread>
 #include <vector>
 
+#include "tutavia/core/parallel.hpp"
 #include "tutavia/planner.hpp"
 
 /// \file
@@ -24,19 +22,10 @@ std::vector<Expected<Plan, Failure>> plan_batch(const Planner<Search, Smooth>& p
                                                 const S& space, std::span<const Query> queries,
                                                 unsigned threads = 0) {
   std::vector<std::optional<Expected<Plan, Failure>>> slots(queries.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    Planner<Search, Smooth> own(planner.search(), planner.smoother());
-    for (std::size_t i = next++; i < queries.size(); i = next++) {
-      slots[i].emplace(own.plan(space, queries[i]));
-    }
-  };
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-  threads = static_cast<unsigned>(std::min<std::size_t>(threads, queries.size()));
-  std::vector<std::thread> workers;
-  for (unsigned i = 1; i < threads; ++i) workers.emplace_back(work);
-  work();
-  for (std::thread& worker : workers) worker.join();
+  for_each_in_parallel(queries.size(), threads, [&] {
+    return [&, own = Planner<Search, Smooth>(planner.search(), planner.smoother())](
+               std::size_t i) mutable { slots[i].emplace(own.plan(space, queries[i])); };
+  });
   std::vector<Expected<Plan, Failure>> results;
   results.reserve(slots.size());
   for (auto& slot : slots) results.push_back(std::move(*slot));

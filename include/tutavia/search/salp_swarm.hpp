@@ -2,18 +2,17 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <string_view>
-#include <thread>
+#include <string>
 #include <vector>
 
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/error.hpp"
+#include "tutavia/core/parallel.hpp"
 #include "tutavia/core/random.hpp"
 
 /// \file
@@ -96,18 +95,12 @@ struct SalpSwarm {
   template <class F>
   std::vector<double> values(const F& value, const std::vector<Position>& salps) const {
     std::vector<double> results(salps.size());
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-      for (std::size_t i = next++; i < salps.size(); i = next++) {
+    for_each_in_parallel(salps.size(), threads, [&] {
+      return [&](std::size_t i) {
         const double v = value(std::span<const double>(salps[i]));
         results[i] = std::isnan(v) ? std::numeric_limits<double>::infinity() : v;
-      }
-    };
-    const std::size_t wanted = threads == 0 ? std::thread::hardware_concurrency() : threads;
-    std::vector<std::thread> workers;
-    for (std::size_t i = 1; i < std::min(wanted, salps.size()); ++i) workers.emplace_back(work);
-    work();
-    for (std::thread& worker : workers) worker.join();
+      };
+    });
     return results;
   }
 };
