@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,17 @@ struct DriveState {
   double speed = 0;         ///< [m/s]
   double acceleration = 0;  ///< [m/s^2]
 };
+
+/// The limits on the square of the speed where stretches meet and at both ends: the smaller one of
+/// those beside each.
+inline std::vector<double> joint_limits(std::span<const SpeedStretch> stretches) {
+  std::vector<double> limits(stretches.size() + 1, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    limits[i] = std::min(limits[i], stretches[i].limit);
+    limits[i + 1] = stretches[i].limit;
+  }
+  return limits;
+}
 
 /// The squares of the largest speeds at the joints of stretches from which one can brake in time,
 /// under `limits` of their own (one more than there are stretches). O(n).

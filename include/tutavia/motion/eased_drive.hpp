@@ -157,11 +157,7 @@ inline std::optional<EasedDrive> EasedDrive::with(std::span<const SpeedStretch> 
   end = std::min(end, std::sqrt(widened.least(length - tail, length)));
 
   const std::vector<SpeedStretch> main = widened.between(lead, length - tail);
-  std::vector<double> squares(main.size() + 1, std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < main.size(); ++i) {
-    squares[i] = std::min(squares[i], main[i].limit);
-    squares[i + 1] = main[i].limit;
-  }
+  std::vector<double> squares = joint_limits(main);
   squares.front() = std::min(squares.front(), widened.least(0, lead));
   squares.back() = std::min(squares.back(), end * end);
   squares = squares_to_brake_from(main, std::move(squares), b);

@@ -144,11 +144,7 @@ inline std::vector<SpeedStretch> SpeedProfile::intervals(const Curve& curve,
 
 inline std::vector<double> SpeedProfile::joint_limits(const Curve& curve, const SpeedLimits& limits,
                                                       const std::vector<SpeedStretch>& intervals) {
-  std::vector<double> squares(intervals.size() + 1, std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < intervals.size(); ++i) {
-    squares[i] = std::min(squares[i], intervals[i].limit);
-    squares[i + 1] = intervals[i].limit;
-  }
+  std::vector<double> squares = tutavia::joint_limits(intervals);
   squares.back() = std::min(squares.back(), limits.end_speed * limits.end_speed);
   Point before = Point::Zero();
   std::size_t at = 0;
