@@ -79,7 +79,12 @@ struct Clothoid {
     return {b,         a,         start_heading + turn_to(1) + std::numbers::pi, -curvature_at(1),
             sharpness, arc_length};
   }
-  std::pair<Clothoid, Clothoid> halves() const { return {part(0, 0.5), part(0.5, 1)}; }
+  std::pair<Clothoid, Clothoid> halves() const {
+    const Point middle = on_curve(0.5);
+    const double half = 0.5 * arc_length;
+    return {{a, middle, start_heading, start_curvature, sharpness, half},
+            {middle, b, start_heading + turn_to(0.5), curvature_at(0.5), sharpness, half}};
+  }
   /// The piece with `p` as the origin.
   Clothoid seen_from(const Point& p) const {
     Clothoid result = *this;

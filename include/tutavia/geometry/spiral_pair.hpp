@@ -25,8 +25,8 @@ struct UnitSpiral {
 
   /// \pre 0 <= turn < pi
   static UnitSpiral turning(double turn) {
-    UnitSpiral spiral{turn, {}, {}};
-    if (!(turn > 0)) return {turn, Point::Zero(), Point::Zero()};
+    UnitSpiral spiral{.turn = turn};
+    if (!(turn > 0)) return spiral;
     spiral.end = Clothoid::from({0, 0}, 0, 0, 0.5 / turn, 2 * turn).b;
     const double half_sine = std::sin(0.5 * turn);
     spiral.centre = {spiral.end.x() - std::sin(turn), spiral.end.y() - 2 * half_sine * half_sine};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -83,17 +82,16 @@ struct ClothoidSmoother {
  private:
   template <class S>
   static Expected<Curve, Failure> taut(const S& space, const Curve& input, const Budget& budget) {
-    const auto& pieces = input.pieces();
-    const auto is = [&]<class... P>() {
-      return std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
-        return (std::holds_alternative<P>(piece) || ...);
-      });
-    };
-    if (is.template operator()<Segment>()) return TautString{}.smooth(space, input, budget);
-    if (!is.template operator()<Segment, Arc>()) {
-      return fail(PlanError::invalid_input,
-                  "the clothoid smoother takes curves of segments and arcs");
+    bool has_arcs = false;
+    for (const Piece& piece : input.pieces()) {
+      if (std::holds_alternative<Segment>(piece)) continue;
+      if (!std::holds_alternative<Arc>(piece)) {
+        return fail(PlanError::invalid_input,
+                    "the clothoid smoother takes curves of segments and arcs");
+      }
+      has_arcs = true;
     }
+    if (!has_arcs) return TautString{}.smooth(space, input, budget);
     if (const auto free = check_free(space, input, budget); !free) return Unexpected{free.error()};
     return input;
   }

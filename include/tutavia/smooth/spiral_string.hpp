@@ -15,9 +15,8 @@
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/bitangent.hpp"
-#include "tutavia/geometry/clothoid.hpp"
 #include "tutavia/geometry/curve.hpp"
-#include "tutavia/geometry/spiral_pair.hpp"
+#include "tutavia/smooth/widened_bend.hpp"
 
 /// \file
 /// How the bends of a taut string become spirals.
@@ -50,15 +49,13 @@ class SpiralString {
   /// Makes the circles larger. Fails with `not_proved`, or what the budget says; then there is no
   /// curve.
   std::optional<Failure> widen(const Budget& budget) {
-    for (bool changed = true; changed;) {
+    while (true) {
       if (const auto exceeded = budget.exceeded()) {
         return Failure{.code = *exceeded, .detail = "while smoothing"};
       }
-      changed = false;
-      if (!draw_ways() || !draw_bends() || !prove()) changed = true;
-      if (failure_) return failure_;
+      const bool is_done = draw_ways() && draw_bends() && prove();
+      if (failure_ || is_done) return failure_;
     }
-    return std::nullopt;
   }
 
   /// Whether the string as it was kept the least turning radius.
@@ -83,18 +80,6 @@ class SpiralString {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   /// Margins below this part of the whole are not worth it.
   static constexpr double least_margin = 1.0 / 40;
-  /// Spirals that turn by less are no gentler than a jump of the curvature [rad].
-  static constexpr double least_turn = 0.01;
-
-  /// What takes a bend's place: an arc (of radius 0: the corner), a pair of spirals, or an arc
-  /// between two.
-  enum class Form { arc, pair, spirals };
-  struct Shape {
-    Form form = Form::arc;
-    double radius = 0;  ///< the least [m]
-    double turn = 0;    ///< of each spiral [rad]
-    double leg = 0;     ///< from where they begin to where the way touches the circle [m]
-  };
   struct Bend {
     SidedCircle core;  // as it was
     double turn;       // left positive [rad]
@@ -105,7 +90,7 @@ class SpiralString {
     bool may_lift = true;
     Bitangent out{};    // the way to the next bend
     double wanted = 0;  // leg of the shape that would be taken if the ways were long enough
-    Shape shape{};
+    BendShape shape{};
     int tries = 0;
   };
 
@@ -115,6 +100,15 @@ class SpiralString {
   bool is_end(std::size_t i) const { return bends_[i].previous == none || bends_[i].next == none; }
   const Bitangent& way_to(std::size_t i) const { return bends_[bends_[i].previous].out; }
   double wrap(std::size_t i) const { return bends_[i].core.side * bends_[i].turn; }
+  /// Spirals may come a little less near than the old circle, so that few looks prove them.
+  WidenedBend widened(std::size_t i) const {
+    const Bend& bend = bends_[i];
+    return {circle(i), bend.core.radius, bend.core.radius + bend.margin / 64, bend.turn,
+            options_.has_beziers};
+  }
+  BendShape shape(std::size_t i, double room) const {
+    return widened(i).gentlest_shape(room, options_.min_turning_radius);
+  }
 
   void add(const Point& center, double radius, double turn) {
     const std::size_t i = bends_.size();
@@ -167,10 +161,10 @@ class SpiralString {
       // The smaller of two circles: one on which an arc of that radius has room for its spirals,
       // and one that a pair of them touches the old circle with.
       double wanted = least + bend.margin;
-      if (wrap(i) < widest_pair) {
-        const SpiralPair pair = unit_pair(wrap(i));
+      const WidenedBend before = widened(i);
+      if (wrap(i) < WidenedBend::widest_pair) {
         const double tangent = std::cos(wrap(i) / 2);
-        const double with_pair = (least * pair.drop + inner_radius(i)) * tangent;
+        const double with_pair = (least * before.unit_pair().drop + before.inner_radius) * tangent;
         wanted = std::min(wanted, with_pair * (1 + 1e-3));
       }
       bend.radius = std::max(bend.radius, wanted);
@@ -267,56 +261,6 @@ class SpiralString {
     return fits;
   }
 
-  static constexpr double widest_pair = 0.9 * std::numbers::pi;
-
-  SpiralPair unit_pair(double wrap) const {
-    return options_.has_beziers ? SpiralPair::of_beziers(wrap) : SpiralPair::of_clothoids(wrap);
-  }
-  /// How near spirals may come to a circle's centre: a little more than the circle, so that few
-  /// looks prove it.
-  double inner_radius(std::size_t i) const { return bends_[i].core.radius + bends_[i].margin / 64; }
-
-  /// The gentlest shape of a bend that takes at most `room` of the ways before and after it.
-  Shape shape(std::size_t i, double room) const {
-    const Bend& bend = bends_[i];
-    const double wrap = this->wrap(i), inner = inner_radius(i);
-    const Shape arc{Form::arc, bend.radius, 0, 0};
-    if (!(bend.radius > bend.core.radius) || !(wrap > 1e-6)) return arc;
-    if (wrap < widest_pair) {
-      const SpiralPair pair = unit_pair(wrap);
-      const double to_corner = bend.radius / std::cos(wrap / 2);
-      const double touch = bend.radius * std::tan(wrap / 2);  // from there to the corner
-      const double radius = std::min((to_corner - inner) / pair.drop, (room + touch) / pair.leg);
-      // Inside the circle that the ways touch: no longer than its arc.
-      const bool is_inside = radius * pair.drop >= to_corner - bend.radius;
-      if (radius >= std::max(inner, options_.min_turning_radius) && is_inside) {
-        return {Form::pair, radius, wrap / 2, radius * pair.leg - touch};
-      }
-    }
-    return options_.has_beziers ? arc : spirals(i, room, arc);
-  }
-
-  /// Spirals on to an arc around the same centre, as long as there is room and the arc keeps off
-  /// the old circle; `arc` where they would be too short.
-  Shape spirals(std::size_t i, double room, const Shape& arc) const {
-    const Bend& bend = bends_[i];
-    const double least = std::max(inner_radius(i), options_.min_turning_radius);
-    // What the centre is moved by is nearly as the square of the turn, and its place along the way
-    // as the turn: a few steps of scaling find what fits.
-    double turn = std::min({wrap(i) / 2, std::sqrt(6 * (bend.radius / least - 1)), 1.5});
-    Shape result = arc;
-    for (int k = 0; k < 6 && turn > least_turn; ++k) {
-      const UnitSpiral unit = UnitSpiral::turning(turn);
-      result = {Form::spirals, bend.radius / (1 + unit.centre.y()), turn, 0};
-      result.leg = result.radius * unit.centre.x();
-      const double shift = (bend.radius / least - 1) / unit.centre.y();
-      const double scale = std::min(std::sqrt(shift), room / result.leg);
-      if (scale >= 1) return result;
-      turn *= scale * (1 - 1e-6);
-    }
-    return arc;
-  }
-
   /// The shapes of all bends. False: circles have changed.
   bool draw_bends() {
     for (std::size_t i = bends_[0].next; bends_[i].next != none; i = bends_[i].next) {
@@ -387,49 +331,8 @@ class SpiralString {
   void for_each_piece(std::size_t i, Visit visit) const {
     if (is_end(i)) return;
     const Bend& bend = bends_[i];
-    const Shape& shape = bend.shape;
-    const Point from = first(i), to = last(i);
-    const int side = bend.core.side;
-    if (shape.form == Form::arc) {
-      Point at = from;
-      for_each_arc(circle(i), from, to, bend.turn, space_.slack(), [&](const Arc& arc) {
-        visit(arc);
-        at = arc.b;
-      });
-      if (at != to) visit(Segment{at, to});
-      return;
-    }
-    const Point &in = way_to(i).direction, &out = bend.out.direction;
-    if (shape.form == Form::pair && options_.has_beziers) {
-      const double leg = shape.leg + bend.radius * std::tan(wrap(i) / 2);
-      auto pair = bezier_spirals(advance(from, leg, in), in, out, leg);
-      pair[0].points.front() = from;
-      pair[1].points.back() = to;
-      visit(pair[0]);
-      visit(pair[1]);
-      return;
-    }
-    const double bent = side / shape.radius, length = 2 * shape.turn * shape.radius;
-    const Clothoid before = Clothoid::from(from, heading(in), 0, bent / length, length);
-    const Clothoid back =
-        Clothoid::from(to, heading(out) + std::numbers::pi, 0, -bent / length, length);
-    Clothoid after = back.reversed();
-    if (shape.form == Form::pair) {
-      after.a = before.b;
-      visit(before);
-      visit(after);
-      return;
-    }
-    visit(before);
-    Point at = before.b;
-    const SidedCircle around{bend.core.center, shape.radius, side};
-    for_each_arc(around, before.b, after.a, bend.turn - 2 * side * shape.turn, space_.slack(),
-                 [&](const Arc& arc) {
-                   visit(arc);
-                   at = arc.b;
-                 });
-    after.a = at;
-    visit(after);
+    widened(i).for_each_piece(bend.shape, {first(i), way_to(i).direction},
+                              {last(i), bend.out.direction}, space_.slack(), visit);
   }
 
   const S& space_;
