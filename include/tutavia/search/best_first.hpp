@@ -12,6 +12,7 @@
 #include "tutavia/core/statistics.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/search/concepts.hpp"
+#include "tutavia/search/query_labels.hpp"
 
 /// \file
 /// The best-first core that Dijkstra, A* and their kin share.
@@ -61,23 +62,17 @@ class BestFirstScratch {
   std::vector<Point>& points() { return points_; }
 
   void begin(std::size_t size) {
-    if (labels_.size() < size) labels_.resize(size);
-    if (++query_ == 0) {  // the counter wrapped: old labels would look new
-      std::fill(labels_.begin(), labels_.end(), Label{});
-      query_ = 1;
-    }
+    labels_.begin(size);
     open_.clear();
     sequence_ = 0;
   }
 
   /// The node's label, or nullptr where this query has not reached it.
-  const Label* find(NodeId node) const {
-    return labels_[node].query == query_ ? &labels_[node] : nullptr;
-  }
+  const Label* find(NodeId node) const { return labels_.find(node); }
 
   /// Writes the label and puts the node into the open list.
   void push(NodeId node, NodeId parent, Cost g, Cost f) {
-    labels_[node] = {g, parent, query_};
+    labels_.set(node, {g, parent});
     open_.push_back({f, g, sequence_++, node});
     std::push_heap(open_.begin(), open_.end());
   }
@@ -94,10 +89,9 @@ class BestFirstScratch {
   }
 
  private:
-  std::vector<Label> labels_;
+  QueryLabels<Label> labels_;
   std::vector<Entry> open_;
   std::vector<Point> points_;
-  std::uint32_t query_ = 0;
   std::uint64_t sequence_ = 0;
 };
 

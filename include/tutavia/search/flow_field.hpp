@@ -69,8 +69,7 @@ class FlowField {
   template <GridSpace S>
   double cost(const S& space, Cell cell) const {
     if (!reached(space, cell)) return std::numeric_limits<double>::infinity();
-    return static_cast<double>(labels_.view().g(space.grid().index(cell))) *
-           Frame(space.frame()).resolution / static_cast<double>(straight_cost);
+    return in_metres(labels_.view().g(space.grid().index(cell)), Frame(space.frame()).resolution);
   }
 
   /// The path from a point to the nearest goal. Errors as for a query.

@@ -23,6 +23,11 @@
 
 namespace tutavia {
 
+/// A cost in metres; `straight` is what a straight step costs.
+inline double in_metres(Cost cost, double resolution, Cost straight = straight_cost) {
+  return static_cast<double>(cost) * resolution / static_cast<double>(straight);
+}
+
 /// A cell that the start or the goal is joined to, and what the link costs.
 struct CellLink {
   Cell cell{};

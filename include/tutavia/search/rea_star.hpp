@@ -16,6 +16,7 @@
 #include "tutavia/search/heuristic.hpp"
 #include "tutavia/search/linked_query.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_labels.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -51,21 +52,17 @@ class ReaScratch {
     int place;
   };
 
-  void begin(std::size_t size) {
-    if (labels.size() < size) labels.resize(size);
-    if (++query == 0) {  // the counter wrapped: old labels would look new
-      std::fill(labels.begin(), labels.end(), Label{});
-      query = 1;
-    }
-    open.clear();
-  }
+  /// Cells of a line from the first to the last.
+  struct Run {
+    int first, last;
+  };
 
-  std::vector<Label> labels;
+  QueryLabels<Label> labels;
   std::vector<Entry> open;
   std::vector<Cost> costs;                             // g along the interval that is expanded
   std::vector<Source> reached, before, after, window;  // see detail::RectangleSearch
+  std::vector<Run> exits;
   std::vector<Cell> cells;
-  std::uint32_t query = 0;
 };
 
 /// A* over free rectangles: an interval of cells is expanded at once into the largest free
@@ -108,7 +105,8 @@ class RectangleSearch {
         stats_(stats) {}
 
   std::optional<Failure> run() {
-    scratch_.begin(space_.grid().index_count());
+    scratch_.labels.begin(space_.grid().index_count());
+    scratch_.open.clear();
     for (const auto& [cell, cost] : linked_.starts) {
       const std::size_t index = grid_.index(cell);
       improve(cell, cost, index);
@@ -124,9 +122,7 @@ class RectangleSearch {
         if (auto failure = exceeded(query_.budget, stats_.expanded)) return failure;
       }
       ++stats_.expanded;
-      observer_.expanded(space_.frame().point(cell(entry.interval.axis,
-                                                   (entry.interval.first + entry.interval.last) / 2,
-                                                   entry.interval.line)));
+      observer_.expanded(middle(entry.interval));
       expand(entry.interval);
     }
     if (best_ == std::numeric_limits<Cost>::max()) return Failure{.code = PlanError::unreachable};
@@ -157,6 +153,10 @@ class RectangleSearch {
   static constexpr Cost aslant = diagonal_cost - straight_cost;
 
   static Cell cell(int axis, int u, int v) { return axis == 0 ? Cell{u, v} : Cell{v, u}; }
+  Point middle(const Interval& interval) const {
+    return space_.frame().point(
+        cell(interval.axis, (interval.first + interval.last) / 2, interval.line));
+  }
   bool is_free(int axis, int u, int v) const { return space_.grid().is_free(cell(axis, u, v)); }
   /// Whether the cells [first, last] of a line are free.
   bool is_free(int axis, int line, int first, int last) const {
@@ -167,11 +167,10 @@ class RectangleSearch {
   /// Notes a way to a cell. Returns whether it is the first or a better one.
   bool improve(Cell cell, Cost g, std::size_t parent) {
     const std::size_t index = grid_.index(cell);
-    ReaScratch::Label& label = scratch_.labels[index];
-    if (label.query == scratch_.query && label.g <= g) return false;
-    const Cost expanded =
-        label.query == scratch_.query ? label.expanded : std::numeric_limits<Cost>::max();
-    label = {g, expanded, static_cast<std::uint32_t>(parent), scratch_.query};
+    const ReaScratch::Label* label = scratch_.labels.find(index);
+    if (label != nullptr && label->g <= g) return false;
+    const Cost expanded = label != nullptr ? label->expanded : std::numeric_limits<Cost>::max();
+    scratch_.labels.set(index, {g, expanded, static_cast<std::uint32_t>(parent)});
     if (const auto exit = linked_.exit_cost(cell); exit && g + *exit < best_) {
       best_ = g + *exit;
       goal_ = index;
@@ -184,8 +183,7 @@ class RectangleSearch {
     scratch_.open.push_back({key, sequence_++, interval});
     std::push_heap(scratch_.open.begin(), scratch_.open.end());
     ++stats_.generated;
-    observer_.generated(space_.frame().point(
-        cell(interval.axis, (interval.first + interval.last) / 2, interval.line)));
+    observer_.generated(middle(interval));
   }
 
   /// Reads the costs along an interval, less the cells at its ends that were expanded already.
@@ -238,7 +236,7 @@ class RectangleSearch {
   /// of the corner is legal, and the cells of the side that lead there: between the first and the
   /// last of them. Returns whether there are any.
   bool find_exits(int axis, int u0, int u1, int line, int side) {
-    exits_.clear();
+    scratch_.exits.clear();
     const OccupancyGrid& lines = *lines_[static_cast<std::size_t>(axis)];
     const int next = line + side;
     if (next < 0 || next >= lines.height()) return false;
@@ -251,12 +249,12 @@ class RectangleSearch {
       const int begin = lines.run_end(next, u, false);
       if (begin > last) break;
       const int end = std::min(lines.run_end(next, begin, true) - 1, last);
-      exits_.push_back({begin, end});
+      scratch_.exits.push_back({begin, end});
       u = end + 1;
     }
-    if (exits_.empty()) return false;
-    first_ = std::max(exits_.front().first, u0);
-    last_ = std::min(exits_.back().last, u1);
+    if (scratch_.exits.empty()) return false;
+    first_ = std::max(scratch_.exits.front().first, u0);
+    last_ = std::min(scratch_.exits.back().last, u1);
     scratch_.reached.assign(static_cast<std::size_t>(last_ - first_ + 1), nowhere);
     return true;
   }
@@ -336,7 +334,7 @@ class RectangleSearch {
   void relax_inside(const Interval& from, const Rectangle& r, Cell goal) {
     const int u = from.axis == 0 ? goal.x : goal.y, v = from.axis == 0 ? goal.y : goal.x;
     if (u < r.u0 || u > r.u1 || v < r.v0 || v > r.v1) return;
-    Source best{std::numeric_limits<Cost>::max(), 0};
+    Source best = nowhere;
     for (int j = from.first; j <= from.last; ++j) {
       const Cost cost = g(from, j) + octile_cost({u, v}, {j, from.line});
       if (cost < best.cost) best = {cost, j};
@@ -347,7 +345,7 @@ class RectangleSearch {
   /// Steps out of a rectangle over its side on `line` into the intervals found beyond.
   void leave(const Interval& from, int axis, int u0, int u1, int line, int side) {
     const int next = line + side;
-    for (const auto& [begin, end] : exits_) {
+    for (const auto& [begin, end] : scratch_.exits) {
       const int first = std::max(begin, u0), last = std::min(end, u1);
       for (int q = first; q <= last; ++q) {
         Source& source = reached(q);
@@ -383,12 +381,7 @@ class RectangleSearch {
   ReaScratch& scratch_;
   O& observer_;
   Statistics& stats_;
-  // Of the side of a rectangle that is left.
-  struct Exit {
-    int first, last;
-  };
-  std::vector<Exit> exits_;
-  int first_ = 0, last_ = 0;
+  int first_ = 0, last_ = 0;  // of the side of a rectangle that is left
   std::uint64_t sequence_ = 0;
   Cost best_ = std::numeric_limits<Cost>::max();  // of a path to the goal
   std::size_t goal_ = 0;                          // its last cell
@@ -414,8 +407,7 @@ Expected<Route, Failure> ReaStar::search(const S& space, const Query& query, Scr
                              return std::nullopt;
                            });
   if (route && paid) {
-    route->cost = static_cast<double>(*paid) * Frame(space.frame()).resolution /
-                  static_cast<double>(straight_cost);
+    route->cost = in_metres(*paid, Frame(space.frame()).resolution);
   }
   return route;
 }
