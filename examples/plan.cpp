@@ -26,6 +26,7 @@
 #include "tutavia/io/geo_json.hpp"
 #include "tutavia/io/plan_json.hpp"
 #include "tutavia/io/read_file.hpp"
+#include "tutavia/io/trace_json.hpp"
 #include "tutavia/io/wkt.hpp"
 #include "tutavia/io/workspace_json.hpp"
 #include "tutavia/registry.hpp"
@@ -42,7 +43,7 @@ struct UsageError {
 
 struct Arguments {
   std::string map, workspace, grid, unknown = "blocked", start, bounds, search = "astar",
-                                    smoother = "delta", json, svg;
+                                    smoother = "delta", json, svg, trace;
   std::vector<std::string> goals;
   std::optional<double> radius, resolution, time_limit;
   std::uint64_t seed = 0;
@@ -53,7 +54,7 @@ struct Arguments {
 struct Result {
   ResultHeader header;
   Expected<Plan, Failure> plan;
-  std::vector<Segment> tree{};  ///< of a search by sampling, where it is to be drawn
+  SearchRecord record{};  ///< what the search did, where it is to be drawn or written
 };
 
 /// What one search with one smoother made of every goal.
@@ -86,6 +87,8 @@ void define_options(CLI::App& app, Arguments& args) {
   app.add_option("--time-limit", args.time_limit, "Seconds per query");
   app.add_option("--json", args.json, "Write the results as JSON; - for stdout");
   app.add_option("--svg", args.svg, "Draw the plans");
+  app.add_option("--trace", args.trace,
+                 "Write what the searches did, a line of JSON for each step");
   app.add_flag("--compare", args.compare,
                "All searches with the smoother, and all smoothers with the search");
   app.add_flag("--list", args.list, "Print the names of searches and smoothers");
@@ -313,7 +316,11 @@ std::vector<AnySmoother<S>> select_smoothers(const Arguments& args) {
 template <class S>
 Group run(const S& space, const Scene& scene, const Arguments& args, const AnySearch<S>& search,
           const AnySmoother<S>& smoother) {
-  Planner planner(search, smoother);
+  const bool is_drawn = !args.svg.empty() && !args.compare;
+  SearchRecord record{.keeps_nodes = !args.trace.empty()};
+  AnySearch<S> recorded = search;
+  if (is_drawn || !args.trace.empty()) recorded.record = &record;
+  Planner planner(recorded, smoother);
   // On workspaces results say how much longer they are than the shortest path.
   if constexpr (requires { space.workspace(); }) {
     planner.report_optimum(args.compare || !args.json.empty());
@@ -325,7 +332,7 @@ Group run(const S& space, const Scene& scene, const Arguments& args, const AnySe
     results.push_back({{std::string(search.name), smoother.name, scene.start, goal,
                         scene.workspace.safety_radius},
                        planner.plan(space, query)});
-    if (search.tree && !args.svg.empty() && !args.compare) results.back().tree = search.tree();
+    results.back().record.events = std::exchange(record.events, {});
   }
   return results;
 }
@@ -491,7 +498,11 @@ void draw(const std::string& path, const Scene& scene, const S& space, bool y_do
   const DeltaSmoother delta;
   for (Group& group : groups) {
     for (Result& result : group) {
-      options.tree.insert(options.tree.end(), result.tree.begin(), result.tree.end());
+      for (const auto& [kind, a, b] : result.record.events) {
+        if (kind == SearchEvent::Kind::edge) options.tree.push_back({a, b});
+        if (kind == SearchEvent::Kind::rectangle) options.rectangles.push_back({a, b});
+        if (kind == SearchEvent::Kind::interval) options.intervals.push_back({a, b});
+      }
       if (!result.plan) continue;
       plans.push_back(std::move(*result.plan));
       if (result.header.smoother != DeltaSmoother::name) continue;
@@ -567,6 +578,16 @@ std::vector<Group> combine(const S& space, const Scene& scene, const Arguments& 
   return groups;
 }
 
+void write_trace(const std::string& path, const std::vector<Group>& groups) {
+  std::string text;
+  for (const Group& group : groups) {
+    for (const Result& result : group) append_trace(text, result.header, result.record);
+  }
+  if (const auto written = write_file(path, text); !written) {
+    throw UsageError{written.error().detail};
+  }
+}
+
 /// Plans everything asked for and reports it. `y_down` is for pictures.
 template <class S>
 int plan_in(const S& space, const Scene& scene, const Arguments& args, bool draw_default,
@@ -581,6 +602,7 @@ int plan_in(const S& space, const Scene& scene, const Arguments& args, bool draw
   });
 
   if (!args.json.empty()) write_results(args.json, groups);
+  if (!args.trace.empty()) write_trace(args.trace, groups);
   const std::string picture = args.svg.empty() && draw_default ? "maze.svg" : args.svg;
   if (!picture.empty()) {
     draw(picture, scene, space, y_down, std::move(groups));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/registry.hpp"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "support/searcher_contract.hpp"
 #include "tutavia/planner.hpp"
 
@@ -32,12 +35,27 @@ TEST_CASE("algorithms chosen by name give what the algorithms themselves give") 
   CHECK(named(smoothers, "none").name == "none");
   CHECK(named(smoothers, "shortcut").name == "shortcut");
 
-  CHECK_FALSE(named(searches, "astar").tree);
-  const auto sampling = named(searches, "rrt");
-  REQUIRE(sampling.tree);
-  const auto route = sampling.run(space, query);
-  REQUIRE(route);
-  CHECK(sampling.tree().size() == route->stats.generated);
+  const auto count = [](const SearchRecord& record, SearchEvent::Kind kind) {
+    return static_cast<std::uint64_t>(
+        std::count_if(record.events.begin(), record.events.end(),
+                      [&](const SearchEvent& event) { return event.kind == kind; }));
+  };
+  using Kind = SearchEvent::Kind;
+  for (const auto& search : searches) {
+    INFO(search.name);
+    SearchRecord record;
+    const auto route = search.run(space, query, &record);
+    REQUIRE(route);
+    const bool is_tree = search.name.find("rrt") != std::string_view::npos;
+    // Trees count tries, of which those that fail add no node.
+    CHECK(count(record, Kind::expanded) <= route->stats.expanded);
+    if (!is_tree) CHECK(count(record, Kind::expanded) == route->stats.expanded);
+    if (search.name == "rrt") CHECK(count(record, Kind::edge) == route->stats.generated);
+    CHECK((count(record, Kind::edge) > 0) == is_tree);
+    const bool is_rectangles = search.name.find("rea_star") != std::string_view::npos;
+    CHECK(count(record, Kind::rectangle) == (is_rectangles ? route->stats.expanded : 0));
+    CHECK(count(record, Kind::interval) == count(record, Kind::rectangle));
+  }
 }
 
 }  // namespace

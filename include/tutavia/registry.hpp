@@ -18,6 +18,7 @@
 #include "tutavia/search/canonical_astar.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/dijkstra.hpp"
+#include "tutavia/search/improved_rea_star.hpp"
 #include "tutavia/search/informed_rrt_star.hpp"
 #include "tutavia/search/jps.hpp"
 #include "tutavia/search/jps_plus.hpp"
@@ -28,6 +29,8 @@
 #include "tutavia/search/rrt_connect.hpp"
 #include "tutavia/search/rrt_star.hpp"
 #include "tutavia/search/safe_rrt_star.hpp"
+#include "tutavia/search/sb_rea_star.hpp"
+#include "tutavia/search/search_record.hpp"
 #include "tutavia/search/ssa_astar.hpp"
 #include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/search/theta_star.hpp"
@@ -53,13 +56,13 @@ struct AnySearch {
   struct Scratch {};
 
   std::string_view name{};
-  std::function<Expected<Route, Failure>(const S&, const Query&)> run{};
-  /// The edges of the trees that the last search grew; empty for searches that grow none.
-  std::function<std::vector<Segment>()> tree{};
+  std::function<Expected<Route, Failure>(const S&, const Query&, SearchRecord*)> run{};
+  /// Where searches write down what they do; nowhere if it is null.
+  SearchRecord* record = nullptr;
 
   template <Observer O>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch&, O&) const {
-    return run(space, query);
+    return run(space, query, record);
   }
 };
 
@@ -74,22 +77,36 @@ struct AnySmoother {
   }
 };
 
+namespace detail {
+
+/// An observer that may be there or not; one for both, so that every search is compiled once.
+struct OptionalRecord {
+  SearchRecord* record;
+  void expanded(const Point& p) {
+    if (record != nullptr) record->expanded(p);
+  }
+  void generated(const Point& p) {
+    if (record != nullptr) record->generated(p);
+  }
+  void grown(const Segment& interval, const Box& rectangle) {
+    if (record != nullptr) record->grown(interval, rectangle);
+  }
+};
+
+}  // namespace detail
+
 template <class S, Searcher<S> A>
 AnySearch<S> erase_search(const A& algorithm) {
   auto scratch = std::make_shared<typename A::Scratch>();
-  AnySearch<S> any{A::name, [algorithm, scratch](const S& space, const Query& query) {
-                     NoObserver nobody;
-                     return algorithm.search(space, query, *scratch, nobody);
-                   }};
-  constexpr auto ignore = [](const Point&, const Point&) {};
-  if constexpr (requires { scratch->for_each_edge(ignore); }) {
-    any.tree = [scratch] {
-      std::vector<Segment> edges;
-      scratch->for_each_edge([&](const Point& a, const Point& b) { edges.push_back({a, b}); });
-      return edges;
-    };
-  }
-  return any;
+  return {A::name, [algorithm, scratch](const S& space, const Query& query, SearchRecord* record) {
+            detail::OptionalRecord observer{record};
+            auto route = algorithm.search(space, query, *scratch, observer);
+            const auto add = [&](const Point& a, const Point& b) { record->edge(a, b); };
+            if constexpr (requires { scratch->for_each_edge(add); }) {
+              if (record != nullptr) scratch->for_each_edge(add);
+            }
+            return route;
+          }};
 }
 
 template <class S, Smoother<S> A>
@@ -116,14 +133,15 @@ AnySearch<S> erase_jps_plus() {
   auto algorithm = std::make_shared<JpsPlus>();
   auto scratch = std::make_shared<JpsPlus::Scratch>();
   return {JpsPlus::name,
-          [algorithm, scratch](const S& space, const Query& query) -> Expected<Route, Failure> {
+          [algorithm, scratch](const S& space, const Query& query,
+                               SearchRecord* record) -> Expected<Route, Failure> {
             if (algorithm->table == nullptr || !algorithm->table->matches(space.grid())) {
               auto table = JpsPlus::prepare(space);
               if (!table) return Unexpected{table.error()};
               algorithm->table = *table;
             }
-            NoObserver nobody;
-            return algorithm->search(space, query, *scratch, nobody);
+            detail::OptionalRecord observer{record};
+            return algorithm->search(space, query, *scratch, observer);
           }};
 }
 
@@ -144,6 +162,8 @@ std::vector<AnySearch<S>> all_searches() {
                                 erase_search<S>(SsaAStar{}),
                                 erase_search<S>(AntColony{}),
                                 erase_search<S>(ReaStar{}),
+                                erase_search<S>(SbReaStar{}),
+                                erase_search<S>(ImprovedReaStar{}),
                                 erase_search<S>(Rrt{}),
                                 erase_search<S>(RrtStar{}),
                                 erase_search<S>(RrtConnect{}),

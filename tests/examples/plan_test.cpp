@@ -108,6 +108,36 @@ std::map<std::string, std::vector<std::string>> comparison_rows(const std::strin
   return rows;
 }
 
+TEST_CASE("a trace holds every step of the searches, a line of JSON for each") {
+  Folder folder;
+  const std::string task = "--map maze --goal 14,6 --search astar,rea_star,rrt --smoother none ";
+  const Outcome outcome = folder.run(task + "--json r.json --trace t.jsonl");
+  REQUIRE(outcome.code == 0);
+  const auto results = nlohmann::json::parse(read(folder / "r.json"))["results"];
+  std::map<std::string, std::map<std::string, std::size_t>> counts;
+  std::string search, line;
+  std::istringstream lines(read(folder / "t.jsonl"));
+  while (std::getline(lines, line)) {
+    const auto json = nlohmann::json::parse(line);
+    const auto event = json["event"].get<std::string>();
+    if (event == "search") {
+      search = json["search"].get<std::string>();
+      CHECK(json["goal"] == nlohmann::json{14.0, 6.0});
+    }
+    ++counts[search][event];
+  }
+  REQUIRE(counts.size() == 3);
+  for (const auto& result : results) {
+    const auto& events = counts[result["search"].get<std::string>()];
+    CHECK(events.at("search") == 1);
+    if (result["search"] == "rrt") continue;  // it counts tries, most of which add no node
+    CHECK(events.at("expanded") == result["stats"]["expanded"].get<std::size_t>());
+  }
+  CHECK(counts["rea_star"]["rectangle"] == counts["rea_star"]["expanded"]);
+  CHECK(counts["rrt"]["edge"] == counts["rrt"]["generated"]);
+  CHECK(folder.run(task + "--trace no_folder/t.jsonl").code == 2);
+}
+
 TEST_CASE("without options tutavia-plan plans the maze and writes maze.svg") {
   const Folder folder;
   const Outcome outcome = folder.run("");

@@ -29,8 +29,13 @@ TEST_CASE("a picture shows obstacles, zones of the safety radius, route, curve a
   const std::string svg = to_svg(scene.workspace, std::span(&plan, 1),
                                  {.critical_corners = {{1, 1}, {2, 2}},
                                   .tree = {{{3, 3}, {4, 4}}, {{3, 3}, {3, 4}}},
+                                  .rectangles = {{{3, 3}, {6, 4.5}}},
+                                  .intervals = {{{3, 3}, {6, 3}}},
                                   .title = "a < b & c"});
   CHECK(count(svg, "#9cc3b5") == 2);  // the tree and its legend
+  CHECK(count(svg, "width=\"200.00\" height=\"100.00\" fill=\"#7fb2d9\"") == 1);
+  CHECK(count(svg, "#7fb2d9") == 2);
+  CHECK(count(svg, "#b8478a") == 2);
   CHECK(count(svg, "fill-rule=\"evenodd\"") == 2 * scene.workspace.obstacles.size());
   CHECK(count(svg, "stroke-width=\"40.00\"") == 1);  // 2 r = 0.6 m of 12 m on 800 pixels
   CHECK(count(svg, "stroke-dasharray") == 2);        // route and its legend

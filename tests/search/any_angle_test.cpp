@@ -3,17 +3,15 @@
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <vector>
 
 #include "support/catch.hpp"
 #include "support/corner_paths.hpp"
+#include "support/moving_ai_maps.hpp"
 #include "support/random_grids.hpp"
 #include "support/scale.hpp"
-#include "support/skip.hpp"
 #include "tutavia/certify/certify.hpp"
-#include "tutavia/io/moving_ai.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/theta_star.hpp"
 
@@ -123,23 +121,16 @@ TEST_CASE("starts and goals within rounding of a corner change nothing") {
 }
 
 TEST_CASE("no search on cells finds a shorter path than AnyAngle on the MovingAI maps") {
-  const char* folder = test::moving_ai_folder();
-  if (folder == nullptr) return;
   NoObserver nobody;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".map") continue;
-    const auto space = CellSpace::build(read_moving_ai_map(entry.path()).value()).value();
+  test::for_each_moving_ai_map(test::scaled(20), [&](const test::MovingAiMap& map) {
+    const CellSpace& space = map.space;
     const test::CornerRules rules(space.grid());
-    const auto scenario = read_moving_ai_scenario(entry.path().string() + ".scen").value();
     const AnyAngle prepared{.mesh = AnyAngle::prepare(space).value()};
     AnyAngle::Scratch scratch;
     ThetaScratch theta;
-    const std::size_t count = std::min(test::scaled(20), scenario.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const ScenarioRow& row = scenario[i * scenario.size() / count];
-      INFO(entry.path().string() << " line " << row.line);
-      const Query query{.start = space.frame().point(row.start),
-                        .goal = space.frame().point(row.goal)};
+    for (const ScenarioRow& row : map.rows) {
+      INFO(map.name << " line " << row.line);
+      const Query query = map.query(row);
       const auto route = AnyAngle{}.search(space, query, scratch, nobody);
       REQUIRE(route);
       CHECK(route->cost <= row.optimal_length + 0.02);
@@ -157,7 +148,7 @@ TEST_CASE("no search on cells finds a shorter path than AnyAngle on the MovingAI
       CHECK(route->cost <= other.cost * (1 + 1e-9));
       CHECK(route->cost <= lazy.cost * (1 + 1e-9));
     }
-  }
+  });
 }
 
 }  // namespace

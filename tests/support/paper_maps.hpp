@@ -13,22 +13,53 @@
 
 namespace tutavia::test {
 
+namespace detail {
+
+inline nlohmann::json read_data(const std::string& name) {
+  std::ifstream file(std::string(TUTAVIA_TEST_DATA) + "/" + name);
+  return nlohmann::json::parse(file);
+}
+
+/// A grid of rows of characters, of which # is blocked.
+inline OccupancyGrid to_grid(const nlohmann::json& rows) {
+  const auto text = rows.get<std::vector<std::string>>();
+  const auto width = static_cast<int>(text.at(0).size());
+  OccupancyGrid grid = OccupancyGrid::blocked(width, static_cast<int>(text.size())).value();
+  for (std::size_t y = 0; y < text.size(); ++y) {
+    for (std::size_t x = 0; x < text[y].size(); ++x) {
+      grid.set({static_cast<int>(x), static_cast<int>(y)}, text[y][x] != '#');
+    }
+  }
+  return grid;
+}
+
+}  // namespace detail
+
 /// The grids of one set of the SSA-A* paper ("cluster_20" ... "random_50"): the start is cell
 /// (0, 0), the goal the last cell.
 inline std::vector<OccupancyGrid> ssa_grids(const std::string& set) {
-  std::ifstream file(std::string(TUTAVIA_TEST_DATA) + "/ssa_grids.json");
+  const auto sets = detail::read_data("ssa_grids.json");
   std::vector<OccupancyGrid> grids;
-  const auto sets = nlohmann::json::parse(file);
-  for (const auto& rows : sets.at(set)) {
-    const auto size = static_cast<int>(rows.size());
-    OccupancyGrid grid = OccupancyGrid::blocked(size, size).value();
-    for (int y = 0; y < size; ++y) {
-      const auto row = rows[static_cast<std::size_t>(y)].get<std::string>();
-      for (int x = 0; x < size; ++x) grid.set({x, y}, row[static_cast<std::size_t>(x)] != '#');
-    }
-    grids.push_back(std::move(grid));
-  }
+  for (const auto& rows : sets.at(set)) grids.push_back(detail::to_grid(rows));
   return grids;
+}
+
+/// A grid that stands for map A, B or C of the paper "Improved REA*", without its safety buffer.
+struct ReaMap {
+  std::string name;
+  OccupancyGrid grid;
+  Cell start, goal;
+};
+
+inline std::vector<ReaMap> rea_maps() {
+  const auto all = detail::read_data("rea_maps.json");
+  const auto cell = [](const nlohmann::json& xy) { return Cell{xy.at(0), xy.at(1)}; };
+  std::vector<ReaMap> maps;
+  for (const auto& [name, map] : all.items()) {
+    maps.push_back(
+        {name, detail::to_grid(map.at("rows")), cell(map.at("start")), cell(map.at("goal"))});
+  }
+  return maps;
 }
 
 }  // namespace tutavia::test

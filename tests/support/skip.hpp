@@ -21,6 +21,7 @@ inline bool& any_skipped() {
 /// return.
 inline const char* moving_ai_folder() {
   const char* folder = std::getenv("TUTAVIA_MOVINGAI_DIR");
+  if (folder != nullptr && *folder == '\0') folder = nullptr;
   if (folder == nullptr) {
     std::cout << "skipped: TUTAVIA_MOVINGAI_DIR is not set\n";
     any_skipped() = true;

@@ -29,6 +29,8 @@ struct SvgOptions {
   double width = 800;                     ///< of the drawing area, in pixels
   std::vector<Point> critical_corners{};  ///< marked with crosses
   std::vector<Segment> tree{};            ///< what a search by sampling grew, drawn thin
+  std::vector<Box> rectangles{};          ///< that a search grew
+  std::vector<Segment> intervals{};       ///< from which they grew
   std::string title{};
   bool y_down = false;  ///< y grows downwards, as in images
 };
@@ -63,6 +65,7 @@ class SvgPicture {
     svg_ += "<clipPath id=\"bounds\">" + frame("") + "</clipPath>\n";
     svg_ += frame(" fill=\"#f7f9fb\"") + "<g clip-path=\"url(#bounds)\">\n";
     obstacles();
+    rectangles();
     tree();
     for (const Plan& plan : plans) route(plan.route.curve);
     for (std::size_t i = 0; i < plans.size(); ++i) curve(plans[i].curve, colour(i));
@@ -77,6 +80,10 @@ class SvgPicture {
   static constexpr double margin = 16;
   static constexpr const char* route_colour = "#7a8794";
   static constexpr const char* tree_colour = "#9cc3b5";
+  static constexpr const char* rectangle_style =
+      "fill=\"#7fb2d9\" fill-opacity=\"0.16\" stroke=\"#5b8db8\" stroke-width=\"0.8\"";
+  static constexpr const char* interval_style =
+      "stroke=\"#b8478a\" stroke-width=\"2.4\" stroke-linecap=\"round\"";
 
   static const char* colour(std::size_t i) {  // after Okabe and Ito: told apart by all eyes
     constexpr std::array<const char*, 6> colours{"#0072b2", "#d55e00", "#009e73",
@@ -158,6 +165,21 @@ class SvgPicture {
     svg_ += "<g fill=\"#f6d9b8\" stroke=\"#f6d9b8\" stroke-linejoin=\"round\" stroke-width=\"" +
             number(2 * r * scale_) + "\">\n" + shapes(r) + "</g>\n";
     svg_ += "<g fill=\"#4a5763\" stroke=\"#4a5763\" stroke-width=\"1\">\n" + shapes(0) + "</g>\n";
+  }
+
+  void rectangles() {
+    for (const Box& box : options_.rectangles) {
+      const auto [x0, x1] = std::minmax({pixel(box.min).x(), pixel(box.max).x()});
+      const auto [y0, y1] = std::minmax({pixel(box.min).y(), pixel(box.max).y()});
+      svg_.append("<rect x=\"").append(number(x0)).append("\" y=\"").append(number(y0));
+      svg_.append("\" width=\"").append(number(x1 - x0)).append("\" height=\"");
+      svg_.append(number(y1 - y0)).append("\" ").append(rectangle_style).append("/>\n");
+    }
+    std::string d;
+    for (const Segment& s : options_.intervals) {
+      d.append("M").append(at(s.a)).append("L").append(at(s.b));
+    }
+    if (!d.empty()) stroke(d, interval_style);
   }
 
   void tree() {
@@ -276,6 +298,14 @@ class SvgPicture {
     if (!options_.tree.empty()) {
       entry("tree", 84, line(std::string("stroke=\"") + tree_colour + "\" stroke-width=\"1.5\""));
     }
+    if (!options_.rectangles.empty()) {
+      entry("rectangle", 108, [this](const Point& q) {
+        svg_.append("<rect x=\"").append(number(q.x() - 12)).append("\" y=\"");
+        svg_.append(number(q.y() - 7)).append("\" width=\"24\" height=\"14\" ");
+        svg_.append(rectangle_style).append("/>\n");
+      });
+    }
+    if (!options_.intervals.empty()) entry("interval", 108, line(interval_style));
     if (!options_.critical_corners.empty()) {
       entry("critical corner", 140, [this](const Point& q) { cross_at(q); });
     }

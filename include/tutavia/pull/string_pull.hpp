@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/geometry/predicates.hpp"
+#include "tutavia/geometry/pull_through.hpp"
 #include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/row_runs.hpp"
 
@@ -157,54 +157,6 @@ class PortalTrace {
   std::vector<Portal> portals_;
 };
 
-/// The shortest path through portals in turn: a funnel of two chains that part at an apex.
-/// Source: Lee and Preparata 1984, "Euclidean shortest paths in the presence of rectilinear
-/// barriers".
-inline std::vector<Point> pull_through(const std::vector<std::pair<Point, Point>>& portals,
-                                       const Point& start, const Point& goal) {
-  std::vector<Point> path{start};
-  std::deque<Point> funnel{start};  // from the end of the left chain by the apex to the right end
-  std::size_t apex = 0;
-  // A new end takes off what its chain would have to bend outwards for.
-  const auto add_right = [&](const Point& p) {
-    while (funnel.size() > 1) {
-      const std::size_t last = funnel.size() - 1;
-      if (last > apex) {  // on the right chain: it stays convex
-        if (orientation(funnel[last - 1], funnel[last], p) < 0) break;
-        funnel.pop_back();
-      } else {  // the apex is the right end: it moves along the left chain
-        if (orientation(funnel[apex], funnel[apex - 1], p) <= 0) break;
-        funnel.pop_back();
-        --apex;
-        path.push_back(funnel[apex]);
-      }
-    }
-    funnel.push_back(p);
-  };
-  const auto add_left = [&](const Point& p) {
-    while (funnel.size() > 1) {
-      if (apex > 0) {
-        if (orientation(funnel[1], funnel[0], p) > 0) break;
-        funnel.pop_front();
-        --apex;
-      } else {
-        if (orientation(funnel[0], funnel[1], p) >= 0) break;
-        funnel.pop_front();
-        path.push_back(funnel[0]);
-      }
-    }
-    funnel.push_front(p);
-    ++apex;
-  };
-  for (const auto& [right, left] : portals) {
-    add_right(right);
-    add_left(left);
-  }
-  add_right(goal);
-  for (std::size_t i = apex + 1; i < funnel.size(); ++i) path.push_back(funnel[i]);
-  return path;
-}
-
 }  // namespace detail
 
 /// The shortest of all paths on cells that can be pulled into this one without crossing a blocked
@@ -245,7 +197,7 @@ struct StringPull {
     }
     Curve result;
     Point from = curve.start();
-    const std::vector<Point> path = detail::pull_through(portals, from, curve.end());
+    const std::vector<Point> path = pull_through(portals, from, curve.end());
     for (std::size_t i = 1; i < path.size(); ++i) {
       const bool last = i + 1 == path.size();
       if (!last && (path[i] == from || orientation(from, path[i], path[i + 1]) == 0)) continue;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tutavia/io/plan_json.hpp"
+#include "tutavia/search/search_record.hpp"
+
+/// \file
+/// Traces: what searches did, as lines of JSON.
+
+namespace tutavia {
+
+/// Appends one search to a trace: a line that says what was asked, then one for each event, in
+/// order. Every line is an object with a member `event`:
+///
+///     {"event":"search","search":"rea_star","start":[x,y],"goal":[x,y],"safety_radius":r}
+///     {"event":"expanded","at":[x,y]}
+///     {"event":"generated","at":[x,y]}
+///     {"event":"interval","from":[x,y],"to":[x,y]}
+///     {"event":"rectangle","min":[x,y],"max":[x,y]}
+///     {"event":"edge","from":[x,y],"to":[x,y]}
+inline void append_trace(std::string& text, const ResultHeader& header,
+                         const SearchRecord& record) {
+  using Kind = SearchEvent::Kind;
+  const auto add = [&](const detail::ResultJson& line) { text.append(line.dump()).append("\n"); };
+  add({{"event", "search"},
+       {"search", header.search},
+       {"start", detail::to_json(header.start)},
+       {"goal", detail::to_json(header.goal)},
+       {"safety_radius", header.safety_radius}});
+  for (const auto& [kind, from, to] : record.events) {
+    const auto a = detail::to_json(from), b = detail::to_json(to);
+    switch (kind) {
+      case Kind::expanded:
+        add({{"event", "expanded"}, {"at", a}});
+        break;
+      case Kind::generated:
+        add({{"event", "generated"}, {"at", a}});
+        break;
+      case Kind::interval:
+        add({{"event", "interval"}, {"from", a}, {"to", b}});
+        break;
+      case Kind::rectangle:
+        add({{"event", "rectangle"}, {"min", a}, {"max", b}});
+        break;
+      case Kind::edge:
+        add({{"event", "edge"}, {"from", a}, {"to", b}});
+        break;
+    }
+  }
+}
+
+}  // namespace tutavia

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/free_rectangle.hpp"
+#include "tutavia/search/linked_query.hpp"
+#include "tutavia/search/query.hpp"
+#include "tutavia/search/rails.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// Two waves of free rectangles that meet: the search of SbReaStar and ImprovedReaStar.
+
+namespace tutavia::detail {
+
+/// Cells on the edge of a free rectangle whose neighbours beyond it are free: a way out of it. The
+/// next rectangle grows from these cells over the edge, so that the two share them.
+struct Passage {
+  CellInterval cells;         ///< their side leads out; a root is a single cell
+  std::uint32_t parent = 0;   ///< the passage that the rectangle grew from; a root's is itself
+  CellRectangle rectangle{};  ///< that grew from this one, if it was expanded
+  double g = 0;               ///< what the evaluation keeps
+  std::uint32_t costs = 0;    ///< the same
+};
+
+/// What a wave of rectangles keeps between queries: memory. `Evaluation` says what passages cost
+/// and keeps its own.
+template <class Evaluation>
+struct RectangleWave {
+  struct Entry {
+    double key;
+    std::uint32_t passage;
+    friend bool operator<(const Entry& a, const Entry& b) {  // for std::push_heap: worse < better
+      return a.key != b.key ? a.key > b.key : a.passage > b.passage;
+    }
+  };
+
+  std::vector<Passage> passages;
+  std::vector<std::uint32_t> expanded;
+  std::vector<Entry> open;
+  OccupancyGrid marked, covered;  // cells of passages, cells of rectangles
+  Evaluation evaluation;
+};
+
+template <class Evaluation>
+struct RectangleWavesScratch {
+  std::array<RectangleWave<Evaluation>, 2> waves;
+  std::vector<CellRun> exits;
+  std::vector<Rail> rails;
+  std::vector<Cell> cells;
+};
+
+/// Rectangles grow from the start and from the goal by turns, in each wave from the passage with
+/// the smallest key, until one holds cells of a passage of the other wave (or, if the search is to
+/// go on, until no key is below the length of the best such meeting). A passage whose next cells
+/// lie in rectangles of its wave already leads nowhere new and is left out; a wave that comes to
+/// its end has therefore seen all it can reach.
+///
+/// An Evaluation, one for each wave:
+/// - `begin(goal, offset, grid)`: a query begins; the goal is where the wave goes to
+/// - `root(passage, cost)`, `enter(passage, parent)`: the key of a new passage
+/// - `expand(passage)`: a rectangle grows from it; `reach(edge)`: its side `edge` is left next
+/// - `place_before(passages, passage, place)`: where the way to a place of it passes its parent
+/// - `meet(evaluation, passage, other evaluation, other's passage, joint)`: the length and the cell
+///   of the best meeting in the cells `joint` of the other's passage, which lie in the rectangle
+///   that grew from `passage`
+template <class S, class Evaluation, class O>
+class RectangleWaves {
+ public:
+  using Wave = RectangleWave<Evaluation>;
+
+  RectangleWaves(const S& space, const Query& query, const LinkedQuery& linked,
+                 RectangleWavesScratch<Evaluation>& scratch, O& observer, Statistics& stats)
+      : space_(space),
+        free_(space),
+        query_(query),
+        linked_(linked),
+        scratch_(scratch),
+        observer_(observer),
+        stats_(stats) {}
+
+  std::optional<Failure> run(bool continue_after_contact) {
+    begin(scratch_.waves[0], linked_);
+    begin(scratch_.waves[1], linked_.reversed());
+    for (std::size_t turn = 0; continue_after_contact || !met(); turn = 1 - turn) {
+      auto next = pop(scratch_.waves[turn]);
+      if (!next) {
+        if (!met()) return Failure{.code = PlanError::unreachable};
+        turn = 1 - turn;
+        next = pop(scratch_.waves[turn]);
+        if (!next) break;
+      }
+      if (is_checked(query_.budget, stats_.expanded, 64)) {
+        if (auto failure = exceeded(query_.budget, stats_.expanded)) return failure;
+      }
+      ++stats_.expanded;
+      expand(turn, *next);
+    }
+    return std::nullopt;
+  }
+
+  /// The rails of the path that was found, from start to goal, the first and the last a root;
+  /// `joint` is the one where the waves met. Nodes where the evaluation has them.
+  void follow(std::vector<Rail>& rails, std::size_t& joint) {
+    rails.clear();
+    Wave &mine = scratch_.waves[best_.turn], &other = scratch_.waves[1 - best_.turn];
+    const Passage* entry = &mine.passages[best_.entry];
+    mine.evaluation.expand(*entry);
+    int place = mine.evaluation.place_before(best_.cell);
+    while (true) {
+      rails.push_back({entry->cells, place});
+      const Passage& parent = mine.passages[entry->parent];
+      if (&parent == entry) break;
+      place = mine.evaluation.place_before(*entry, place);
+      entry = &parent;
+    }
+    std::reverse(rails.begin(), rails.end());
+    joint = rails.size();
+    const Passage* passage = &other.passages[best_.passage];
+    place = best_.joint.axis == 0 ? best_.cell.x : best_.cell.y;
+    rails.push_back({best_.joint, place});
+    rails.back().cells.side = -rails.back().cells.side;
+    while (passage != &other.passages[passage->parent]) {
+      place = other.evaluation.place_before(*passage, place);
+      passage = &other.passages[passage->parent];
+      rails.push_back({passage->cells, place});
+      rails.back().cells.side = -rails.back().cells.side;
+    }
+    if (best_.turn == 0) return;
+    std::reverse(rails.begin(), rails.end());
+    for (Rail& rail : rails) rail.cells.side = -rail.cells.side;
+    joint = rails.size() - 1 - joint;
+  }
+
+ private:
+  struct Meeting {
+    double length = std::numeric_limits<double>::max();
+    Cell cell{};
+    CellInterval joint{};
+    std::size_t turn = 0;       // the wave whose rectangle it is
+    std::uint32_t entry = 0;    // the passage that the rectangle grew from
+    std::uint32_t passage = 0;  // of the other wave
+  };
+
+  bool met() const { return best_.length < std::numeric_limits<double>::max(); }
+  Point place(Cell cell) const { return space_.frame().point(cell); }
+
+  /// An empty set of cells of the space's size.
+  void clear(OccupancyGrid& cells) const {
+    const OccupancyGrid& grid = space_.grid();
+    if (cells.width() != grid.width() || cells.height() != grid.height()) {
+      cells = OccupancyGrid::blocked(grid.width(), grid.height(),
+                                     std::numeric_limits<std::int64_t>::max())
+                  .value();
+    }
+    for (int y = 0; y < cells.height(); ++y) cells.set_run(y, 0, cells.width() - 1, false);
+  }
+
+  void begin(Wave& wave, const LinkedQuery& there) {
+    wave.passages.clear();
+    wave.expanded.clear();
+    wave.open.clear();
+    clear(wave.marked);
+    clear(wave.covered);
+    wave.evaluation.begin(there.goal_cell, there.goal_offset, space_.grid());
+    for (const auto& [cell, cost] : there.starts) {
+      Passage root{.cells = {0, cell.y, cell.x, cell.x, 1}, .parent = next(wave)};
+      const double key = wave.evaluation.root(root, cost);
+      push(wave, root, key);
+    }
+  }
+
+  static std::uint32_t next(const Wave& wave) {
+    return static_cast<std::uint32_t>(wave.passages.size());
+  }
+
+  void push(Wave& wave, const Passage& passage, double key) {
+    wave.open.push_back({key, next(wave)});
+    std::push_heap(wave.open.begin(), wave.open.end());
+    wave.passages.push_back(passage);
+    const CellInterval& cells = passage.cells;
+    for (int u = cells.first; u <= cells.last; ++u) wave.marked.set(cells.cell(u), true);
+    ++stats_.generated;
+    observer_.generated(place(cells.middle()));
+  }
+
+  /// Whether all cells of an interval are in a set.
+  static bool are_in(const OccupancyGrid& set, const CellInterval& cells) {
+    if (cells.axis == 0) return set.run_end(cells.line, cells.first, true) > cells.last;
+    int y = cells.first;
+    while (y <= cells.last && set.is_free(Cell{cells.line, y})) ++y;
+    return y > cells.last;
+  }
+  /// Whether any cell of a rectangle is in a set.
+  static bool meets(const OccupancyGrid& set, const CellRectangle& r) {
+    const CellRun &columns = r.runs[0], &rows = r.runs[1];
+    for (int y = rows.first; y <= rows.last; ++y) {
+      if (set.run_end(y, columns.first, false) <= columns.last) return true;
+    }
+    return false;
+  }
+  static bool is_root(const Wave& wave, std::uint32_t passage) {
+    return wave.passages[passage].parent == passage;
+  }
+
+  /// The passage with the smallest key, of those that lead to cells that no rectangle of the wave
+  /// holds, if that key is below the length of the best path.
+  std::optional<std::uint32_t> pop(Wave& wave) {
+    while (!wave.open.empty() && wave.open.front().key < best_.length) {
+      const std::uint32_t passage = wave.open.front().passage;
+      std::pop_heap(wave.open.begin(), wave.open.end());
+      wave.open.pop_back();
+      const CellInterval& cells = wave.passages[passage].cells;
+      if (is_root(wave, passage) || !are_in(wave.covered, cells.beyond())) return passage;
+    }
+    return std::nullopt;
+  }
+
+  void expand(std::size_t turn, std::uint32_t from) {
+    Wave& wave = scratch_.waves[turn];
+    const Wave& other = scratch_.waves[1 - turn];
+    const CellInterval cells = wave.passages[from].cells;
+    observer_.expanded(place(cells.middle()));
+    const bool root = is_root(wave, from);
+    const CellRectangle r = root ? free_.grow_around(cells.cell(cells.first)) : free_.grow(cells);
+    tell_of(observer_, space_, cells, r);
+    wave.passages[from].rectangle = r;
+    wave.expanded.push_back(from);
+    for (int y = r.runs[1].first; y <= r.runs[1].last; ++y) {
+      wave.covered.set_run(y, r.runs[0].first, r.runs[0].last, true);
+    }
+    wave.evaluation.expand(wave.passages[from]);
+    if (meets(other.marked, r)) {
+      for (std::uint32_t q = 0; q < other.passages.size(); ++q) consider(turn, from, q);
+    }
+    const std::uint32_t old = next(wave);
+    for (const int side : {1, -1}) {
+      for (const int axis : {cells.axis, 1 - cells.axis}) {
+        const CellInterval edge = r.edge(axis, side);
+        const bool entered = !root && axis == cells.axis && side == -cells.side;
+        if (!entered) {
+          leave(wave, from, edge);
+        } else {  // beside the passage that it grew from
+          CellInterval left = edge, right = edge;
+          left.last = cells.first - 1;
+          right.first = cells.last + 1;
+          leave(wave, from, left);
+          leave(wave, from, right);
+        }
+      }
+    }
+    for (std::uint32_t p = old; p < wave.passages.size(); ++p) {
+      if (!touches(other.covered, wave.passages[p].cells)) continue;
+      for (const std::uint32_t entry : other.expanded) consider(1 - turn, entry, p);
+    }
+  }
+
+  static bool touches(const OccupancyGrid& set, const CellInterval& cells) {
+    CellRectangle r;
+    r.runs[static_cast<std::size_t>(cells.axis)] = cells.run();
+    r.runs[static_cast<std::size_t>(1 - cells.axis)] = {cells.line, cells.line};
+    return meets(set, r);
+  }
+
+  /// Adds the passages out of a rectangle over an edge of it.
+  void leave(Wave& wave, std::uint32_t from, const CellInterval& edge) {
+    scratch_.exits.clear();
+    const CellInterval beyond = edge.beyond();
+    free_.append_free_runs(edge.axis, beyond.line, edge.run(), scratch_.exits);
+    if (scratch_.exits.empty()) return;
+    CellInterval asked = edge;
+    asked.first = scratch_.exits.front().first;
+    asked.last = scratch_.exits.back().last;
+    bool reached = false;
+    for (const auto& [first, last] : scratch_.exits) {
+      const CellInterval cells{edge.axis, edge.line, first, last, edge.side};
+      if (are_in(wave.covered, cells.beyond())) continue;
+      if (!std::exchange(reached, true)) wave.evaluation.reach(asked);
+      Passage passage{.cells = cells, .parent = from};
+      const double key = wave.evaluation.enter(passage, wave.passages[from]);
+      push(wave, passage, key);
+    }
+  }
+
+  /// Looks for a better path through the rectangle that grew from a passage of one wave and a
+  /// passage of the other wave.
+  void consider(std::size_t turn, std::uint32_t entry, std::uint32_t passage) {
+    Wave& mine = scratch_.waves[turn];
+    const Wave& other = scratch_.waves[1 - turn];
+    const Passage &from = mine.passages[entry], &to = other.passages[passage];
+    const CellInterval joint = from.rectangle.clip(to.cells);
+    if (joint.first > joint.last) return;
+    mine.evaluation.expand(from);
+    const auto [length, cell] = mine.evaluation.meet(from, other.evaluation, to, joint);
+    if (length < best_.length) best_ = {length, cell, joint, turn, entry, passage};
+  }
+
+  const S& space_;
+  FreeRectangles free_;
+  const Query& query_;
+  const LinkedQuery& linked_;
+  RectangleWavesScratch<Evaluation>& scratch_;
+  O& observer_;
+  Statistics& stats_;
+  Meeting best_;
+};
+
+/// Searches by waves of rectangles; `lay_path(rails, joint, cells)` makes of the rails the cells of
+/// the path's corners, from the last to the first.
+template <class Evaluation, GridSpace S, class LayPath, class O>
+Expected<Route, Failure> rectangle_waves(const S& space, const Query& query,
+                                         RectangleWavesScratch<Evaluation>& scratch, O& observer,
+                                         std::string_view name, bool continue_after_contact,
+                                         LayPath lay_path) {
+  if (space.movement() != MovementRule::no_cut) {
+    return fail(PlanError::invalid_option,
+                std::string(name) + " is defined for the movement rule no_cut");
+  }
+  return search_grid(space, query, scratch.cells,
+                     [&](const LinkedQuery& linked, std::vector<Cell>& cells,
+                         Statistics& stats) -> std::optional<Failure> {
+                       RectangleWaves<S, Evaluation, O> waves(space, query, linked, scratch,
+                                                              observer, stats);
+                       if (auto failure = waves.run(continue_after_contact)) return failure;
+                       std::size_t joint = 0;
+                       waves.follow(scratch.rails, joint);
+                       lay_path(scratch.rails, joint, cells);
+                       return std::nullopt;
+                     });
+}
+
+}  // namespace tutavia::detail

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tutavia/search/octile_reach.hpp"
+#include "tutavia/search/rectangle_waves.hpp"
+
+/// \file
+/// SBREA*: rectangle expansion from both ends, with nodes that slide along their rails.
+
+namespace tutavia {
+
+namespace detail {
+
+/// Passages by octile distances to each of their cells.
+class CellEvaluation {
+ public:
+  void begin(Cell goal, Cost goal_offset, const OccupancyGrid&) {
+    estimate_ = {goal, goal_offset};
+    sources_.clear();
+  }
+
+  double root(Passage& root, Cost cost) {
+    root.costs = static_cast<std::uint32_t>(sources_.size());
+    sources_.push_back({cost, root.cells.first});
+    return static_cast<double>(cost + estimate_(root.cells.cell(root.cells.first)));
+  }
+
+  void expand(const Passage& from) {
+    reach_.begin(from.cells, [&](int place) { return source(from, place).cost; });
+  }
+  void reach(const CellInterval& edge) { reach_.reach(edge); }
+
+  double enter(Passage& passage, const Passage&) {
+    passage.costs = static_cast<std::uint32_t>(sources_.size());
+    Cost key = std::numeric_limits<Cost>::max();
+    for (int place = passage.cells.first; place <= passage.cells.last; ++place) {
+      sources_.push_back(reach_[place]);
+      key = std::min(key, reach_[place].cost + estimate_(passage.cells.cell(place)));
+    }
+    return static_cast<double>(key);
+  }
+
+  int place_before(const Passage& passage, int place) const { return source(passage, place).place; }
+  /// Where the way to a cell passes the passage that was expanded last.
+  int place_before(Cell cell) const { return reach_.reach(cell).place; }
+
+  std::pair<double, Cell> meet(const Passage&, const CellEvaluation& other, const Passage& to,
+                               const CellInterval& joint) const {
+    std::pair best{std::numeric_limits<Cost>::max(), Cell{}};
+    for (int place = joint.first; place <= joint.last; ++place) {
+      const Cell cell = joint.cell(place);
+      const Cost cost = reach_.reach(cell).cost + other.source(to, place).cost;
+      if (cost < best.first) best = {cost, cell};
+    }
+    return {static_cast<double>(best.first), best.second};
+  }
+
+ private:
+  const OctileReach::Source& source(const Passage& passage, int place) const {
+    return sources_[passage.costs + static_cast<std::size_t>(place - passage.cells.first)];
+  }
+
+  OctileHeuristic estimate_{};
+  OctileReach reach_;                         // from the passage that was expanded last
+  std::vector<OctileReach::Source> sources_;  // of the cells of passages
+};
+
+}  // namespace detail
+
+/// Free rectangles that grow from the start and from the goal by turns until they meet, each wave
+/// in the order of A* with octile distances to every cell of its passages. Then the path's nodes
+/// slide along the passages to where it is shortest, and those on straight lines go.
+///
+/// Complete on the grid, not optimal: it stops where the waves meet first; the test suite reports
+/// how much longer its paths are. Needs the movement rule `no_cut`, else `invalid_option`; other
+/// errors as for AStar. `Statistics::expanded` counts rectangles; `Route::cost` is the length.
+///
+/// Source: named in Zhang, Li and Bi 2016, "Rectangle expansion A* pathfinding for grid maps"; how
+/// its steps are read here, see docs/algorithms.md.
+struct SbReaStar {
+  static constexpr std::string_view name = "sb_rea_star";
+  using Scratch = detail::RectangleWavesScratch<detail::CellEvaluation>;
+
+  template <GridSpace S, Observer O = NoObserver>
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  O& observer) const {
+    return detail::rectangle_waves(
+        space, query, scratch, observer, name, false,
+        [](std::vector<detail::Rail>& rails, std::size_t, std::vector<Cell>& cells) {
+          detail::slide(rails);
+          detail::append_corners(rails, cells);
+        });
+  }
+};
+
+}  // namespace tutavia
