@@ -3,14 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <iostream>
 #include <limits>
 #include <map>
 #include <memory>
@@ -19,9 +17,9 @@
 #include <vector>
 
 #include "baselines.hpp"
+#include "program.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/io/moving_ai.hpp"
-#include "tutavia/io/write_file.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/route.hpp"
@@ -34,25 +32,10 @@
 namespace map_benchmark {
 
 using namespace tutavia;
-using Clock = std::chrono::steady_clock;
-
-struct UsageError {
-  std::string message;
-};
-
-inline double micros_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
-
-template <class T>
-T value_or_throw(Expected<T, Failure> result) {
-  if (!result) {
-    const Failure& failure = result.error();
-    throw UsageError{failure.detail.empty() ? std::string(to_string(failure.code))
-                                            : failure.detail};
-  }
-  return std::move(*result);
-}
+using bench::Clock;
+using bench::micros_since;
+using bench::UsageError;
+using bench::value_or_throw;
 
 /// One search, ready for queries on one map.
 struct Engine {
@@ -313,11 +296,7 @@ inline int run(const Benchmark& benchmark, const Arguments& args) {
     for (Row& row : run_map(benchmark, map, scen, args)) rows.push_back(std::move(row));
   }
   print_table(rows, args.searches, benchmark.compares_lengths);
-  if (!args.csv.empty()) {
-    if (auto written = write_file(args.csv, csv_text(rows, benchmark.compares_lengths)); !written) {
-      throw UsageError{written.error().detail};
-    }
-  }
+  bench::write_if_named(args.csv, csv_text(rows, benchmark.compares_lengths));
   const bool good = std::all_of(rows.begin(), rows.end(),
                                 [](const Row& r) { return r.wrong == 0 && r.failed == 0; });
   return good ? 0 : 1;
@@ -328,7 +307,7 @@ inline int run(const Benchmark& benchmark, const Arguments& args) {
 inline int main(const Benchmark& benchmark, int argc, char** argv) {
   Arguments args;
   args.searches = benchmark.searches;
-  CLI::App app(benchmark.description);
+  CLI::App app(benchmark.description, benchmark.name);
   auto* map = app.add_option("--map", args.map, "Map (.map)");
   app.add_option("--scen", args.scen, "Its scenarios (.scen)");
   app.add_option("--all", args.all, "Folder: every .map with the .map.scen beside it")
@@ -342,17 +321,7 @@ inline int main(const Benchmark& benchmark, int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   app.add_option("--csv", args.csv, "Write the figures to a file");
-  try {
-    app.parse(argc, argv);
-    return run(benchmark, args);
-  } catch (const CLI::Success& request) {
-    return app.exit(request);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << benchmark.name << ": " << error.what() << '\n';
-  } catch (const UsageError& error) {
-    std::cerr << benchmark.name << ": " << error.message << '\n';
-  }
-  return 2;
+  return bench::run_program(app, argc, argv, [&] { return run(benchmark, args); });
 }
 
 }  // namespace map_benchmark

@@ -15,7 +15,6 @@
 #include <variant>
 #include <vector>
 
-#include "map_benchmark.hpp"
 #include "polygon_worlds.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/pull/shortcut.hpp"
@@ -30,10 +29,10 @@
 namespace {
 
 using namespace tutavia;
-using map_benchmark::Clock;
-using map_benchmark::micros_since;
-using map_benchmark::UsageError;
-using map_benchmark::value_or_throw;
+using bench::Clock;
+using bench::micros_since;
+using bench::UsageError;
+using bench::value_or_throw;
 
 const std::vector<std::string> kinds{"astar",       "astar+shortcut",   "theta_star",
                                      "taut(astar)", "taut(theta_star)", "taut+homotopy_refine"};
@@ -170,11 +169,7 @@ int run(const polygon_worlds::Arguments& args) {
     csv += '\n';
     good = good && row.wrong == 0;
   }
-  if (!args.csv.empty()) {
-    if (const auto written = write_file(args.csv, csv); !written) {
-      throw UsageError{written.error().detail};
-    }
-  }
+  bench::write_if_named(args.csv, csv);
   return good ? 0 : 1;
 }
 

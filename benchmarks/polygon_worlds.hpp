@@ -6,13 +6,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iostream>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "map_benchmark.hpp"
+#include "program.hpp"
 #include "tutavia/core/random.hpp"
 #include "tutavia/world/scene.hpp"
 
@@ -86,7 +85,7 @@ void for_each_world(const Arguments& args, std::size_t polygons, const RunWorld&
   std::uint64_t seed = args.seed;
   for (std::size_t world = 0; world < args.worlds; ++seed) {
     if (seed > args.seed + 100 * args.worlds) {
-      throw map_benchmark::UsageError{"too few worlds have a route"};
+      throw bench::UsageError{"too few worlds have a route"};
     }
     if (run_world(make(polygons, seed))) ++world;
   }
@@ -107,17 +106,7 @@ int main(CLI::App& app, Arguments& args, const Run& run, int argc, char** argv) 
       ->check(CLI::PositiveNumber);
   app.add_option("--seed", args.seed, "Of the first world")->capture_default_str();
   app.add_option("--csv", args.csv, "Write the figures to a file");
-  try {
-    app.parse(argc, argv);
-    return run();
-  } catch (const CLI::Success& request) {
-    return app.exit(request);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << app.get_name() << ": " << error.what() << '\n';
-  } catch (const map_benchmark::UsageError& error) {
-    std::cerr << app.get_name() << ": " << error.message << '\n';
-  }
-  return 2;
+  return bench::run_program(app, argc, argv, run);
 }
 
 }  // namespace polygon_worlds

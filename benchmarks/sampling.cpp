@@ -9,15 +9,15 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "map_benchmark.hpp"
+#include "program.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/planner.hpp"
 #include "tutavia/pull/redundant_node_removal.hpp"
@@ -47,10 +47,10 @@
 namespace {
 
 using namespace tutavia;
-using map_benchmark::Clock;
-using map_benchmark::micros_since;
-using map_benchmark::UsageError;
-using map_benchmark::value_or_throw;
+using bench::Clock;
+using bench::micros_since;
+using bench::UsageError;
+using bench::value_or_throw;
 
 struct Arguments {
   std::vector<std::string> tables{"peers", "convergence", "paper"};
@@ -440,15 +440,5 @@ int main(int argc, char** argv) {
   app.add_option("--iterations", args.iterations, "N")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  try {
-    app.parse(argc, argv);
-    return run(args);
-  } catch (const CLI::Success& request) {
-    return app.exit(request);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << app.get_name() << ": " << error.what() << '\n';
-  } catch (const UsageError& error) {
-    std::cerr << app.get_name() << ": " << error.message << '\n';
-  }
-  return 2;
+  return bench::run_program(app, argc, argv, [&] { return run(args); });
 }

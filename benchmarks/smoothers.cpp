@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "baselines.hpp"
-#include "map_benchmark.hpp"
 #include "polygon_worlds.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/motion/speed_profile.hpp"
@@ -24,10 +23,10 @@
 namespace {
 
 using namespace tutavia;
-using map_benchmark::Clock;
-using map_benchmark::micros_since;
-using map_benchmark::UsageError;
-using map_benchmark::value_or_throw;
+using bench::Clock;
+using bench::micros_since;
+using bench::UsageError;
+using bench::value_or_throw;
 
 struct Arguments : polygon_worlds::Arguments {
   std::vector<std::string> smoothers;
@@ -170,11 +169,7 @@ int run(const Arguments& args) {
       rows.push_back(row);
     }
   }
-  if (!args.csv.empty()) {
-    if (const auto written = write_file(args.csv, csv_text(rows)); !written) {
-      throw UsageError{written.error().detail};
-    }
-  }
+  bench::write_if_named(args.csv, csv_text(rows));
   const bool good =
       std::all_of(rows.begin(), rows.end(), [](const Row& r) { return r.failed == 0; });
   return good ? 0 : 1;
