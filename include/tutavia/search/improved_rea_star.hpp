@@ -55,8 +55,7 @@ class MiddleEvaluation {
   }
 
   /// Nodes have their places when the path is known.
-  int place_before(const Passage& passage, int) const { return passage.cells.first; }
-  int place_before(Cell) const { return 0; }
+  int place_before(const Passage& passage, Cell) const { return passage.cells.first; }
 
   std::pair<double, Cell> meet(const Passage& from, const MiddleEvaluation&, const Passage& to,
                                const CellInterval& joint) const {

@@ -17,6 +17,11 @@ namespace tutavia {
 
 /// What it costs to go from an interval of cells, each of which has a cost of its own, to cells of
 /// the sides of a free rectangle that grew from it. Linear in both. Keeps its memory.
+///
+/// A way of m steps along the interval and d across it costs as many slant steps as the smaller of
+/// the two and is straight for the rest. Cells of the interval that cost more than a neighbour and
+/// the step from it are lowered to that at first. Then none that is further aside than d is better
+/// than one nearer by, and what is left is a least value within d on either hand.
 class OctileReach {
  public:
   /// The cheapest way to a cell: its cost, and the place in the interval that it starts from.
@@ -29,29 +34,31 @@ class OctileReach {
   template <class CostOf>
   void begin(const CellInterval& from, CostOf cost_of) {
     from_ = from;
-    costs_.clear();
-    for (int u = from.first; u <= from.last; ++u) costs_.push_back(cost_of(u));
+    costs_.resize(size());
+    for (int u = from.first; u <= from.last; ++u) costs_[offset(u)] = cost_of(u);
+    for (std::size_t i = 1; i < size(); ++i) lower(costs_[i], costs_[i - 1] + straight_cost);
+    for (std::size_t i = size() - 1; i-- > 0;) lower(costs_[i], costs_[i + 1] + straight_cost);
   }
 
   /// Reaches the cells of a side of the rectangle.
   void reach(const CellInterval& side) {
     first_ = side.first;
-    last_ = side.last;
-    reached_.assign(static_cast<std::size_t>(side.last - side.first + 1), Source{});
+    reached_.assign(static_cast<std::size_t>(side.last - side.first + 1),
+                    std::numeric_limits<Cost>::max());
     if (side.axis == from_.axis) {
-      reach_line(std::abs(side.line - from_.line));
+      for (const int hand : {1, -1}) reach_line(side, hand);
     } else {
-      reach_column(side.line);
+      reach_column(side);
     }
   }
-  /// How a cell of the side reached last is reached.
-  Source& operator[](int place) { return reached_[static_cast<std::size_t>(place - first_)]; }
+  /// What a cell of the side reached last costs.
+  Cost operator[](int place) const { return reached_[static_cast<std::size_t>(place - first_)]; }
 
   /// How any cell of the rectangle is reached; linear in the interval.
   Source reach(Cell cell) const {
     Source best;
     for (int u = from_.first; u <= from_.last; ++u) {
-      const Cost cost = cost_of(u) + octile_cost(cell, from_.cell(u));
+      const Cost cost = costs_[offset(u)] + octile_cost(cell, from_.cell(u));
       if (cost < best.cost) best = {cost, u};
     }
     return best;
@@ -60,78 +67,95 @@ class OctileReach {
  private:
   static constexpr Cost aslant = diagonal_cost - straight_cost;
 
-  Cost cost_of(int u) const { return costs_[static_cast<std::size_t>(u - from_.first)]; }
+  static void lower(Cost& to, Cost cost) { to = std::min(to, cost); }
+  std::size_t size() const { return static_cast<std::size_t>(from_.run().size()); }
+  std::size_t offset(int u) const { return static_cast<std::size_t>(u - from_.first); }
 
-  static void lower(Source& to, const Source& from, Cost way) {
-    if (from.cost < std::numeric_limits<Cost>::max() && from.cost + way < to.cost) {
-      to = {from.cost + way, from.place};
+  /// The cells of a side along the interval, from cells of the interval on one hand. Places are
+  /// counted towards the other hand, from the interval's end.
+  void reach_line(const CellInterval& side, int hand) {
+    const int depth = std::abs(side.line - from_.line), count = from_.run().size();
+    const auto n = static_cast<std::size_t>(count), d = static_cast<std::size_t>(depth);
+    const int origin = hand > 0 ? from_.first : from_.last;
+    const int begin = std::max(hand > 0 ? side.first - origin : origin - side.last, 0);
+    const int end = hand > 0 ? side.last - origin : origin - side.first;
+    if (begin > end) return;
+    slope_.resize(n);  // costs less `aslant` a step
+    for (std::size_t i = 0; i < n; ++i) {
+      slope_[i] = costs_[hand > 0 ? i : n - 1 - i] - aslant * static_cast<Cost>(i);
     }
-  }
-
-  /// The cells of a side that lies `depth` lines from the interval. The way from a cell of the
-  /// interval to one that lies `aside` has as many slant steps as the smaller of depth and aside,
-  /// and is straight for the rest: so the cheapest of them is sought among those within `depth` on
-  /// either hand, by a sliding window, and among those beyond.
-  void reach_line(int depth) {
-    for (const int hand : {1, -1}) {  // the cells to the left, then to the right
-      window_.clear();                // of cost - aslant * place, ever dearer
-      std::size_t head = 0;
-      Source beyond;  // of cost - straight * place
-      const int begin = hand > 0 ? std::min(first_, from_.first) : std::max(last_, from_.last);
-      const int end = hand > 0 ? last_ + 1 : first_ - 1;
-      for (int u = begin; u != end; u += hand) {
-        if (from_.first <= u && u <= from_.last) {
-          const Source entering{cost_of(u) - aslant * hand * u, u};
-          while (window_.size() > head && window_.back().cost > entering.cost) window_.pop_back();
-          window_.push_back(entering);
-        }
-        const int gone = u - hand * (depth + 1);
-        if (from_.first <= gone && gone <= from_.last) {
-          if (head < window_.size() && window_[head].place == gone) ++head;
-          const Cost cost = cost_of(gone) - straight_cost * hand * gone;
-          if (cost < beyond.cost) beyond = {cost, gone};
-        }
-        if (u < first_ || u > last_) continue;
-        if (head < window_.size()) {
-          lower((*this)[u], window_[head], aslant * hand * u + straight_cost * depth);
-        }
-        lower((*this)[u], beyond, straight_cost * hand * u + aslant * depth);
+    // Least values over d + 1 neighbours: of the part of a block up to each, and from each on.
+    up_to_ = slope_;
+    for (std::size_t i = 1, in_block = 1; i < n; ++i, ++in_block) {
+      if (in_block > d) {
+        in_block = 0;
+      } else {
+        lower(up_to_[i], up_to_[i - 1]);
       }
     }
+    from_on_ = slope_;
+    for (std::size_t i = n - 1, in_block = (n - 1) % (d + 1); i-- > 0;) {
+      if (in_block == 0) {
+        in_block = d;
+      } else {
+        lower(from_on_[i], from_on_[i + 1]);
+        --in_block;
+      }
+    }
+    const Cost across = straight_cost * depth;
+    int x = begin;
+    const auto at = [&]() -> Cost& {
+      return reached_[static_cast<std::size_t>(origin + hand * x - first_)];
+    };
+    // While all cells of the interval up to x are near; d + 1 of them; those at its end; only that.
+    for (const int last = std::min(end, depth); x <= last; ++x) {
+      lower(at(), up_to_[static_cast<std::size_t>(std::min(x, count - 1))] + aslant * x + across);
+    }
+    for (const int last = std::min(end, count - 1); x <= last; ++x) {
+      const auto i = static_cast<std::size_t>(x);
+      lower(at(), std::min(from_on_[i - d], up_to_[i]) + aslant * x + across);
+    }
+    if (x > end) return;
+    // Least values up to the interval's end.
+    for (std::size_t i = n - 1; i-- > 0 && i + d + 1 > n - 1;) {
+      from_on_[i] = std::min(slope_[i], from_on_[i + 1]);
+    }
+    for (const int last = std::min(end, count - 1 + depth); x <= last; ++x) {
+      lower(at(), from_on_[static_cast<std::size_t>(x - depth)] + aslant * x + across);
+    }
+    const Cost at_end = costs_[hand > 0 ? n - 1 : 0];
+    for (; x <= end; ++x) {
+      lower(at(), at_end + straight_cost * (x - (count - 1)) + aslant * depth);
+    }
   }
 
-  /// The cells of a side across the interval, at `column`. Cells no further aside than a line is
-  /// deep are cheapest of those up to there, others of those from there on.
-  void reach_column(int column) {
-    const int hand = column <= from_.first ? 1 : -1;
-    const int nearest = hand > 0 ? from_.first : from_.last;
-    const int count = from_.last - from_.first + 1;
-    before_.clear();
-    after_.assign(static_cast<std::size_t>(count) + 1, Source{});
-    for (int k = 0; k < count; ++k) {
-      const int u = nearest + hand * k;
-      const Source source{cost_of(u) + aslant * std::abs(u - column), u};
-      before_.push_back(k > 0 && before_.back().cost <= source.cost ? before_.back() : source);
+  /// The cells of a side across the interval.
+  void reach_column(const CellInterval& side) {
+    const bool rises = side.line <= from_.first;
+    const int nearest = rises ? from_.first : from_.last;
+    const int aside = std::abs(nearest - side.line);
+    const std::size_t n = size();
+    up_to_.resize(n);  // the least of the cells up to each, from the nearest on
+    for (std::size_t i = 0; i < n; ++i) {
+      up_to_[i] = costs_[rises ? i : n - 1 - i] + aslant * (aside + static_cast<Cost>(i));
+      if (i > 0) lower(up_to_[i], up_to_[i - 1]);
     }
-    for (int k = count; k-- > 0;) {
-      const int u = nearest + hand * k;
-      const Source source{cost_of(u) + straight_cost * std::abs(u - column), u};
-      const auto i = static_cast<std::size_t>(k);
-      after_[i] = after_[i + 1].cost <= source.cost ? after_[i + 1] : source;
-    }
-    for (int v = first_; v <= last_; ++v) {
+    const Cost at_end = costs_[rises ? 0 : n - 1];
+    for (int v = side.first; v <= side.last; ++v) {
       const int depth = std::abs(v - from_.line);
-      const int within = std::clamp(depth - std::abs(nearest - column) + 1, 0, count);
-      const auto i = static_cast<std::size_t>(within);
-      if (within > 0) lower((*this)[v], before_[i - 1], straight_cost * depth);
-      lower((*this)[v], after_[i], aslant * depth);
+      const auto near =
+          static_cast<std::size_t>(std::clamp(depth - aside, 0, from_.run().size() - 1));
+      reached_[static_cast<std::size_t>(v - first_)] =
+          depth < aside ? at_end + straight_cost * aside + aslant * depth
+                        : up_to_[near] + straight_cost * depth;
     }
   }
 
   CellInterval from_{};
-  int first_ = 0, last_ = -1;  // of the side reached last
-  std::vector<Cost> costs_;    // along the interval
-  std::vector<Source> reached_, window_, before_, after_;
+  int first_ = 0;                              // of the side reached last
+  std::vector<Cost> costs_;                    // along the interval
+  std::vector<Cost> reached_;                  // along the side
+  std::vector<Cost> slope_, up_to_, from_on_;  // see reach_line
 };
 
 }  // namespace tutavia

@@ -29,19 +29,27 @@ class ReaScratch {
  public:
   struct Label {
     Cost g = 0;
-    Cost expanded = 0;  ///< g when the cell was expanded last
-    std::uint32_t parent = 0;
+    std::uint32_t expansion : 31 = 0;  ///< that reached the cell last
+    std::uint32_t is_expanded : 1 = 0;
     std::uint32_t query = 0;
+  };
+  /// A rectangle and the interval that it grew from.
+  struct Expansion {
+    CellInterval from;
+    CellRectangle rectangle;
   };
   struct Entry {
     Cost key;
     std::uint64_t sequence;
     CellInterval interval;
+    std::uint32_t expansion;                                 // that found it
     friend bool operator<(const Entry& a, const Entry& b) {  // for std::push_heap: worse < better
       return a.key != b.key ? a.key > b.key : a.sequence > b.sequence;
     }
   };
+
   QueryLabels<Label> labels;
+  std::vector<Expansion> expansions;
   std::vector<Entry> open;
   OctileReach reach;
   std::vector<CellRun> exits;
@@ -89,24 +97,25 @@ class RectangleSearch {
 
   std::optional<Failure> run() {
     scratch_.labels.begin(space_.grid().index_count());
+    scratch_.expansions.clear();
     scratch_.open.clear();
     for (const auto& [cell, cost] : linked_.starts) {
-      const std::size_t index = grid_.index(cell);
-      improve(cell, cost, index);
-      push({0, cell.y, cell.x, cell.x, 1}, cost + estimate_(cell));
+      improve(cell, cost, none);
+      push({0, cell.y, cell.x, cell.x, 1}, cost + estimate_(cell), none);
     }
     while (!scratch_.open.empty()) {
       std::pop_heap(scratch_.open.begin(), scratch_.open.end());
       ReaScratch::Entry entry = scratch_.open.back();
       scratch_.open.pop_back();
       if (entry.key >= best_) break;
-      if (!take(entry.interval)) continue;
+      trim(entry.interval);
+      if (entry.interval.first > entry.interval.last) continue;
       if (is_checked(query_.budget, stats_.expanded, 64)) {
         if (auto failure = exceeded(query_.budget, stats_.expanded)) return failure;
       }
       ++stats_.expanded;
       observer_.expanded(place(entry.interval.middle()));
-      expand(entry.interval);
+      expand(entry);
     }
     if (best_ == std::numeric_limits<Cost>::max()) return Failure{.code = PlanError::unreachable};
     return std::nullopt;
@@ -116,24 +125,60 @@ class RectangleSearch {
   Cost cost() const { return best_; }
   /// The path from the goal's cell back to the start's.
   void path(std::vector<Cell>& cells) const {
-    for (std::size_t index = goal_;;) {
-      append_cell(cells, grid_.cell(index));
-      const std::size_t parent = scratch_.labels[index].parent;
-      if (parent == index) return;
-      index = parent;
+    Cell cell = grid_.cell(goal_);
+    append_cell(cells, cell);
+    for (std::uint32_t e = label(cell).expansion; e != none; e = label(cell).expansion) {
+      const auto& [from, rectangle] = scratch_.expansions[e];
+      if (!rectangle.contains(cell)) {
+        cell = last_inside(from, rectangle, cell);
+        append_cell(cells, cell);
+        const Cell source = nearest(from, cell, true).first;
+        if (source == cell) continue;
+        cell = source;
+      } else {
+        cell = nearest(from, cell, false).first;
+      }
+      append_cell(cells, cell);
     }
   }
 
  private:
+  static constexpr std::uint32_t none = 0x7fffffff;
+
   Point place(Cell cell) const { return space_.frame().point(cell); }
+  ReaScratch::Label& label(Cell cell) const { return scratch_.labels[grid_.index(cell)]; }
+
+  /// Of the cells of an interval (with or without the cell itself) the one from which a cell of the
+  /// rectangle is reached, and what the way costs.
+  std::pair<Cell, Cost> nearest(const CellInterval& from, Cell to, bool with_itself) const {
+    std::pair<Cell, Cost> best{to, std::numeric_limits<Cost>::max()};
+    for (int u = from.first; u <= from.last; ++u) {
+      const Cell cell = from.cell(u);
+      const Cost cost = label(cell).g + octile_cost(to, cell);
+      if (cost < best.second && (with_itself || cell != to)) best = {cell, cost};
+    }
+    return best;
+  }
+
+  /// The cell of a rectangle by which one beyond its sides is reached.
+  Cell last_inside(const CellInterval& from, const CellRectangle& rectangle, Cell beyond) const {
+    std::pair<Cell, Cost> best{beyond, std::numeric_limits<Cost>::max()};
+    for (std::size_t step = 0; step < steps.size(); ++step) {
+      const Cell cell = beyond + steps[step];
+      if (!rectangle.contains(cell)) continue;
+      if (!space_.grid().can_step(beyond, step, MovementRule::no_cut)) continue;
+      const Cost cost = nearest(from, cell, true).second + step_cost(step);
+      if (cost < best.second) best = {cell, cost};
+    }
+    return best.first;
+  }
 
   /// Notes a way to a cell. Returns whether it is the first or a better one.
-  bool improve(Cell cell, Cost g, std::size_t parent) {
+  bool improve(Cell cell, Cost g, std::uint32_t expansion) {
     const std::size_t index = grid_.index(cell);
-    const ReaScratch::Label* label = scratch_.labels.find(index);
-    if (label != nullptr && label->g <= g) return false;
-    const Cost expanded = label != nullptr ? label->expanded : std::numeric_limits<Cost>::max();
-    scratch_.labels.set(index, {g, expanded, static_cast<std::uint32_t>(parent)});
+    const ReaScratch::Label* known = scratch_.labels.find(index);
+    if (known != nullptr && known->g <= g) return false;
+    scratch_.labels.set(index, {.g = g, .expansion = expansion & none});
     if (const auto exit = linked_.exit_cost(cell); exit && g + *exit < best_) {
       best_ = g + *exit;
       goal_ = index;
@@ -141,38 +186,47 @@ class RectangleSearch {
     return true;
   }
 
-  void push(const CellInterval& interval, Cost key) {
+  void push(const CellInterval& interval, Cost key, std::uint32_t expansion) {
     if (key >= best_) return;
-    scratch_.open.push_back({key, sequence_++, interval});
+    scratch_.open.push_back({key, sequence_++, interval, expansion});
     std::push_heap(scratch_.open.begin(), scratch_.open.end());
     ++stats_.generated;
     observer_.generated(place(interval.middle()));
   }
 
-  /// Reads the costs along an interval, less the cells at its ends that were expanded already.
-  /// Returns whether there are others.
-  bool take(CellInterval& interval) {
-    const auto label = [&](int u) -> ReaScratch::Label& {
-      return scratch_.labels[grid_.index(interval.cell(u))];
-    };
-    const auto is_new = [&](int u) { return label(u).g < label(u).expanded; };
-    while (interval.first <= interval.last && !is_new(interval.first)) ++interval.first;
-    while (interval.first <= interval.last && !is_new(interval.last)) --interval.last;
-    scratch_.reach.begin(interval, [&](int u) { return label(u).expanded = label(u).g; });
-    return interval.first <= interval.last;
+  /// Cuts off the cells at the ends of an interval that were expanded at what they cost now.
+  void trim(CellInterval& i) const {
+    while (i.first <= i.last && label(i.cell(i.first)).is_expanded) ++i.first;
+    while (i.first <= i.last && label(i.cell(i.last)).is_expanded) --i.last;
   }
 
-  void expand(const CellInterval& from) {
+  void expand(const ReaScratch::Entry& entry) {
+    const CellInterval& from = entry.interval;
     const CellRectangle r = rectangles_.grow(from);
     tell_of(observer_, space_, from, r);
+    const auto expansion = static_cast<std::uint32_t>(scratch_.expansions.size());
+    scratch_.expansions.push_back({from, r});
+    bool is_unchanged = true;  // since the expansion that found the interval
+    scratch_.reach.begin(from, [&](int u) {
+      ReaScratch::Label& known = label(from.cell(u));
+      known.is_expanded = 1;
+      is_unchanged = is_unchanged && known.expansion == entry.expansion;
+      return known.g;
+    });
     for (const auto& [goal, cost] : linked_.goals) {
-      if (!r.contains(goal)) continue;
-      const OctileReach::Source source = scratch_.reach.reach(goal);
-      improve(goal, source.cost, grid_.index(from.cell(source.place)));
+      if (r.contains(goal)) improve(goal, scratch_.reach.reach(goal).cost, expansion);
     }
     for (const int side : {1, -1}) {
-      leave(from, r.edge(from.axis, side));
-      leave(from, r.edge(1 - from.axis, side));
+      CellInterval edge = r.edge(from.axis, side);
+      if (side == -from.side && is_unchanged && entry.expansion != none) {
+        // Behind the interval lies what it was reached from, but not behind its ends.
+        CellInterval left = edge;
+        left.last = from.first;
+        edge.first = from.last;
+        leave(left, expansion);
+      }
+      leave(edge, expansion);
+      leave(r.edge(1 - from.axis, side), expansion);
     }
   }
 
@@ -193,38 +247,29 @@ class RectangleSearch {
   }
 
   /// Steps out of a rectangle over a side into the intervals beyond.
-  void leave(const CellInterval& from, const CellInterval& edge) {
+  void leave(const CellInterval& edge, std::uint32_t expansion) {
     find_exits(edge);
     if (scratch_.exits.empty()) return;
     CellInterval asked = edge;  // the cells of the side that lead to them, and those in between
     asked.first = std::max(scratch_.exits.front().first, edge.first);
     asked.last = std::min(scratch_.exits.back().last, edge.last);
-    OctileReach& reach = scratch_.reach;
-    reach.reach(asked);
+    const OctileReach& reach = scratch_.reach;
+    scratch_.reach.reach(asked);
     const CellInterval beyond = edge.beyond();
     for (const auto& [begin, end] : scratch_.exits) {
       const int first = std::max(begin, edge.first), last = std::min(end, edge.last);
-      for (int q = first; q <= last; ++q) {
-        const std::size_t index = grid_.index(edge.cell(q));
-        if (!improve(edge.cell(q), reach[q].cost, grid_.index(from.cell(reach[q].place)))) {
-          reach[q].cost = scratch_.labels[index].g;
-        }
-      }
+      for (int q = first; q <= last; ++q) improve(edge.cell(q), reach[q], expansion);
       Cost key = std::numeric_limits<Cost>::max();
       for (int p = begin; p <= end; ++p) {
         Cost cost = std::numeric_limits<Cost>::max();
-        int over = p;  // the cell of the side on the way
         for (int q = std::max(p - 1, first); q <= std::min(p + 1, last); ++q) {
-          const Cost way = reach[q].cost + (q == p ? straight_cost : diagonal_cost);
-          if (way < cost) cost = way, over = q;
+          cost = std::min(cost, reach[q] + (q == p ? straight_cost : diagonal_cost));
         }
         const Cell to = beyond.cell(p);
-        if (improve(to, cost, grid_.index(edge.cell(over)))) {
-          key = std::min(key, cost + estimate_(to));
-        }
+        if (improve(to, cost, expansion)) key = std::min(key, cost + estimate_(to));
       }
       if (key < std::numeric_limits<Cost>::max()) {
-        push({beyond.axis, beyond.line, begin, end, beyond.side}, key);
+        push({beyond.axis, beyond.line, begin, end, beyond.side}, key, expansion);
       }
     }
   }

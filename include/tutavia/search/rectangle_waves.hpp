@@ -71,7 +71,7 @@ struct RectangleWavesScratch {
 /// - `begin(goal, offset, grid)`: a query begins; the goal is where the wave goes to
 /// - `root(passage, cost)`, `enter(passage, parent)`: the key of a new passage
 /// - `expand(passage)`: a rectangle grows from it; `reach(edge)`: its side `edge` is left next
-/// - `place_before(passages, passage, place)`: where the way to a place of it passes its parent
+/// - `place_before(passage, cell)`: where the way to a cell of its rectangle passes it
 /// - `meet(evaluation, passage, other evaluation, other's passage, joint)`: the length and the cell
 ///   of the best meeting in the cells `joint` of the other's passage, which lie in the rectangle
 ///   that grew from `passage`
@@ -115,31 +115,16 @@ class RectangleWaves {
   void follow(std::vector<Rail>& rails, std::size_t& joint) {
     rails.clear();
     Wave &mine = scratch_.waves[best_.turn], &other = scratch_.waves[1 - best_.turn];
-    const Passage* entry = &mine.passages[best_.entry];
-    mine.evaluation.expand(*entry);
-    int place = mine.evaluation.place_before(best_.cell);
-    while (true) {
-      rails.push_back({entry->cells, place});
-      const Passage& parent = mine.passages[entry->parent];
-      if (&parent == entry) break;
-      place = mine.evaluation.place_before(*entry, place);
-      entry = &parent;
-    }
+    rails.push_back({best_.joint, best_.joint.axis == 0 ? best_.cell.x : best_.cell.y});
+    append_way(mine, best_.entry, rails);
     std::reverse(rails.begin(), rails.end());
-    joint = rails.size();
-    const Passage* passage = &other.passages[best_.passage];
-    place = best_.joint.axis == 0 ? best_.cell.x : best_.cell.y;
-    rails.push_back({best_.joint, place});
-    rails.back().cells.side = -rails.back().cells.side;
-    while (passage != &other.passages[passage->parent]) {
-      place = other.evaluation.place_before(*passage, place);
-      passage = &other.passages[passage->parent];
-      rails.push_back({passage->cells, place});
-      rails.back().cells.side = -rails.back().cells.side;
-    }
+    joint = rails.size() - 1;
+    const Passage& passage = other.passages[best_.passage];
+    if (!is_root(other, best_.passage)) append_way(other, passage.parent, rails);
+    for (std::size_t i = joint; i < rails.size(); ++i) rails[i].cells.side *= -1;
     if (best_.turn == 0) return;
     std::reverse(rails.begin(), rails.end());
-    for (Rail& rail : rails) rail.cells.side = -rail.cells.side;
+    for (Rail& rail : rails) rail.cells.side *= -1;
     joint = rails.size() - 1 - joint;
   }
 
@@ -152,6 +137,17 @@ class RectangleWaves {
     std::uint32_t entry = 0;    // the passage that the rectangle grew from
     std::uint32_t passage = 0;  // of the other wave
   };
+
+  /// Appends the rails from a passage back to its root, on the way from the last node.
+  static void append_way(Wave& wave, std::uint32_t from, std::vector<Rail>& rails) {
+    while (true) {
+      const Passage& passage = wave.passages[from];
+      const int place = wave.evaluation.place_before(passage, rails.back().node());
+      rails.push_back({passage.cells, place});
+      if (is_root(wave, from)) return;
+      from = passage.parent;
+    }
+  }
 
   bool met() const { return best_.length < std::numeric_limits<double>::max(); }
   Point place(Cell cell) const { return space_.frame().point(cell); }

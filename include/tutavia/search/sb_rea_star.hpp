@@ -24,53 +24,54 @@ class CellEvaluation {
  public:
   void begin(Cell goal, Cost goal_offset, const OccupancyGrid&) {
     estimate_ = {goal, goal_offset};
-    sources_.clear();
+    costs_.clear();
   }
 
   double root(Passage& root, Cost cost) {
-    root.costs = static_cast<std::uint32_t>(sources_.size());
-    sources_.push_back({cost, root.cells.first});
+    root.costs = static_cast<std::uint32_t>(costs_.size());
+    costs_.push_back(cost);
     return static_cast<double>(cost + estimate_(root.cells.cell(root.cells.first)));
   }
 
   void expand(const Passage& from) {
-    reach_.begin(from.cells, [&](int place) { return source(from, place).cost; });
+    reach_.begin(from.cells, [&](int place) { return cost_of(from, place); });
   }
   void reach(const CellInterval& edge) { reach_.reach(edge); }
 
   double enter(Passage& passage, const Passage&) {
-    passage.costs = static_cast<std::uint32_t>(sources_.size());
+    passage.costs = static_cast<std::uint32_t>(costs_.size());
     Cost key = std::numeric_limits<Cost>::max();
     for (int place = passage.cells.first; place <= passage.cells.last; ++place) {
-      sources_.push_back(reach_[place]);
-      key = std::min(key, reach_[place].cost + estimate_(passage.cells.cell(place)));
+      costs_.push_back(reach_[place]);
+      key = std::min(key, reach_[place] + estimate_(passage.cells.cell(place)));
     }
     return static_cast<double>(key);
   }
 
-  int place_before(const Passage& passage, int place) const { return source(passage, place).place; }
-  /// Where the way to a cell passes the passage that was expanded last.
-  int place_before(Cell cell) const { return reach_.reach(cell).place; }
+  int place_before(const Passage& passage, Cell to) {
+    expand(passage);
+    return reach_.reach(to).place;
+  }
 
   std::pair<double, Cell> meet(const Passage&, const CellEvaluation& other, const Passage& to,
                                const CellInterval& joint) const {
     std::pair best{std::numeric_limits<Cost>::max(), Cell{}};
     for (int place = joint.first; place <= joint.last; ++place) {
       const Cell cell = joint.cell(place);
-      const Cost cost = reach_.reach(cell).cost + other.source(to, place).cost;
+      const Cost cost = reach_.reach(cell).cost + other.cost_of(to, place);
       if (cost < best.first) best = {cost, cell};
     }
     return {static_cast<double>(best.first), best.second};
   }
 
  private:
-  const OctileReach::Source& source(const Passage& passage, int place) const {
-    return sources_[passage.costs + static_cast<std::size_t>(place - passage.cells.first)];
+  Cost cost_of(const Passage& passage, int place) const {
+    return costs_[passage.costs + static_cast<std::size_t>(place - passage.cells.first)];
   }
 
   OctileHeuristic estimate_{};
-  OctileReach reach_;                         // from the passage that was expanded last
-  std::vector<OctileReach::Source> sources_;  // of the cells of passages
+  OctileReach reach_;        // from the passage that was expanded last
+  std::vector<Cost> costs_;  // of the cells of passages
 };
 
 }  // namespace detail
