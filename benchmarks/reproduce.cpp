@@ -39,11 +39,6 @@ struct Contender {
   std::optional<Figures> published{};
 };
 
-struct Grid {
-  CellSpace space;
-  Query query;
-};
-
 struct Arguments {
   std::vector<std::string> tables{"rea", "ssa"};
   std::size_t rounds = 5;
@@ -52,15 +47,15 @@ struct Arguments {
 
 /// Runs all searches on all grids in turn; of the times the least over the rounds.
 std::vector<Figures> measure_all(const std::vector<Contender>& contenders,
-                                 std::span<const Grid> grids, std::size_t rounds) {
+                                 std::span<const test::PaperTask> tasks, std::size_t rounds) {
   std::vector<Figures> all(contenders.size());
-  const auto count = static_cast<double>(grids.size());
-  for (const Grid& grid : grids) {
+  const auto count = static_cast<double>(tasks.size());
+  for (const test::PaperTask& task : tasks) {
     std::vector<double> least(contenders.size(), std::numeric_limits<double>::infinity());
     for (std::size_t round = 0; round < rounds; ++round) {
       for (std::size_t i = 0; i < contenders.size(); ++i) {
         const auto begin = bench::Clock::now();
-        const auto route = contenders[i].search.run(grid.space, grid.query, nullptr);
+        const auto route = contenders[i].search.run(task.space, task.query, nullptr);
         least[i] = std::min(least[i], bench::micros_since(begin));
         if (!route) throw bench::UsageError{contenders[i].name + ": " + route.error().detail};
         if (round > 0) continue;
@@ -155,7 +150,8 @@ void print_rea(const Arguments& args, std::string& csv) {
     auto buffered = bench::value_or_throw(with_safety_buffer(maps[i].grid, ends));
     const auto space = bench::value_or_throw(CellSpace::build(std::move(buffered.grid)));
     const Frame& frame = space.frame();
-    const Grid grid{space, {.start = frame.point(ends[0]), .goal = frame.point(ends[1])}};
+    const test::PaperTask task{space,
+                               {.start = frame.point(ends[0]), .goal = frame.point(ends[1])}};
     const auto& paper = published[i];
     const std::vector<Contender> contenders{
         contender("A*", AStar{}, paper[0]),
@@ -166,7 +162,7 @@ void print_rea(const Arguments& args, std::string& csv) {
         contender("improved REA*, markers", ImprovedReaStar{.funnel = false}),
         contender("improved REA*, markers, last leg",
                   ImprovedReaStar{.passage_cost = PassageCost::last_leg, .funnel = false})};
-    print_set("map " + maps[i].name, contenders, measure_all(contenders, {&grid, 1}, args.rounds),
+    print_set("map " + maps[i].name, contenders, measure_all(contenders, {&task, 1}, args.rounds),
               0, csv);
   }
 }
@@ -205,15 +201,7 @@ void print_ssa(const Arguments& args, std::string& csv) {
       "grids "
       "of the kind\n");
   for (const Set& set : sets) {
-    std::vector<Grid> grids;
-    for (OccupancyGrid& grid : test::ssa_grids(set.name)) {
-      const int last = grid.width() - 1;
-      const auto space = bench::value_or_throw(
-          CellSpace::build(std::move(grid), {.movement = MovementRule::allow}));
-      const Frame& frame = space.frame();
-      grids.push_back(
-          {space, {.start = frame.point({0, 0}), .goal = frame.point({last, last}), .seed = 1}});
-    }
+    const auto tasks = test::ssa_tasks(set.name);
     const auto paper = [&](std::size_t i) -> std::optional<Figures> {
       if (set.published[i].nodes == 0) return std::nullopt;
       return set.published[i];
@@ -222,7 +210,7 @@ void print_ssa(const Arguments& args, std::string& csv) {
         contender("A*, Euclidean", AStar{.heuristic = Heuristic::euclidean}, paper(0)),
         contender("A*, octile", AStar{}), contender("Dijkstra", Dijkstra{}, paper(1)),
         contender("SSA-A*", SsaAStar{}, paper(2)), contender("ant colony", AntColony{}, paper(3))};
-    const auto figures = measure_all(contenders, grids, args.rounds);
+    const auto figures = measure_all(contenders, tasks, args.rounds);
     print_set(set.title, contenders, figures, 0, csv);
     std::printf("SSA-A* against A*: %.2f %% fewer nodes (%.2f), %.2f %% longer (%.2f)\n",
                 100 * (1 - figures[3].nodes / figures[0].nodes), set.fewer_nodes,

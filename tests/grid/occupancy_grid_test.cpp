@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "support/catch.hpp"
+#include "support/random_grids.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
@@ -115,8 +116,7 @@ TEST_CASE("can_step() follows the rules in every 3 x 3 neighbourhood", "[grid]")
 TEST_CASE("no step leaves the grid", "[grid]") {
   OccupancyGrid grid = make(1, 1);
   grid.set({0, 0}, true);
-  for (const MovementRule rule : {MovementRule::no_cut, MovementRule::no_squeeze,
-                                  MovementRule::allow, MovementRule::four_connected}) {
+  for (const MovementRule rule : test::all_rules) {
     for (std::size_t i = 0; i < 8; ++i) CHECK_FALSE(grid.can_step({0, 0}, i, rule));
   }
 }

@@ -9,15 +9,13 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/random_grids.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
 
 namespace {
 
 using namespace tutavia;
-
-constexpr MovementRule all_rules[] = {MovementRule::no_cut, MovementRule::no_squeeze,
-                                      MovementRule::allow, MovementRule::four_connected};
 
 /// Whether a neighbour is free: bits count row by row from (-1, -1), without the middle.
 bool is_free(std::size_t around, int dx, int dy) {
@@ -134,7 +132,7 @@ Wave flood_canonical(Random& random, const Map& map, Cell start, MovementRule ru
 }
 
 TEST_CASE("the successor tables hold the movement rules for every neighbourhood", "[grid]") {
-  for (const MovementRule rule : all_rules) {
+  for (const MovementRule rule : test::all_rules) {
     const SuccessorTable table = successor_table(rule);
     std::size_t wrong = 0;
     for (std::size_t around = 0; around < 256; ++around) {
@@ -155,7 +153,7 @@ TEST_CASE("the opposite of a step leads back", "[grid]") {
 }
 
 TEST_CASE("canonical steps are allowed ones, and never lead back", "[grid]") {
-  for (const MovementRule rule : all_rules) {
+  for (const MovementRule rule : test::all_rules) {
     CAPTURE(static_cast<int>(rule));
     const CanonicalTable& table = canonical_table(rule);
     CHECK(table[no_step] == successor_table(rule));
@@ -177,7 +175,7 @@ TEST_CASE("canonical steps reach every cell as cheaply as all steps do, whatever
   std::size_t reached = 0, saved = 0;
   for (std::size_t round = 0; round < test::scaled(8000); ++round) {
     const Map map = random_map(random, round % 4 == 0 ? 12 : 7, 0.6 * random.uniform());
-    const MovementRule rule = all_rules[random.below(4)];
+    const MovementRule rule = test::all_rules[random.below(4)];
     const Cell start{static_cast<int>(random.below(static_cast<std::uint64_t>(map.width))),
                      static_cast<int>(random.below(static_cast<std::uint64_t>(map.height)))};
     if (!map.is_free(start.x, start.y)) continue;
@@ -196,7 +194,7 @@ TEST_CASE("canonical steps reach every cell as cheaply as all steps do, whatever
 TEST_CASE("in the open canonical steps come to every cell exactly once", "[grid]") {
   Random random(2);
   Map map{11, 8, std::vector<bool>(88, true)};
-  for (const MovementRule rule : all_rules) {
+  for (const MovementRule rule : test::all_rules) {
     CAPTURE(static_cast<int>(rule));
     for (const Cell start : {Cell{0, 0}, Cell{5, 3}, Cell{10, 4}}) {
       const Wave wave = flood_canonical(random, map, start, rule);

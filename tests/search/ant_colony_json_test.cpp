@@ -28,10 +28,9 @@ TEST_CASE("what ants find is a path, the same from the same seed") {
   std::size_t found = 0;
   for (std::size_t round = 0; round < test::scaled(60); ++round) {
     INFO("seed " << seed << ", round " << round);
-    const MovementRule rules[] = {MovementRule::no_cut, MovementRule::allow,
-                                  MovementRule::no_squeeze, MovementRule::four_connected};
     const auto space =
-        CellSpace::build(test::random_grid(random, 24), {.movement = rules[round % 4]}).value();
+        CellSpace::build(test::random_grid(random, 24), {.movement = test::all_rules[round % 4]})
+            .value();
     const auto place = [&] { return space.frame().point(test::random_cell(random, space.grid())); };
     const Query query{.start = place(), .goal = place(), .seed = round};
     const auto route = AntColony{}.search(space, query, scratch, nobody);
@@ -78,11 +77,7 @@ TEST_CASE("ants learn: more rounds give shorter paths on the grids of the SSA-A*
     AntColony::Scratch scratch;
     AStar::Scratch reference;
     NoObserver nobody;
-    for (OccupancyGrid& grid : test::ssa_grids(kind)) {
-      const auto last = grid.width() - 1.0;
-      const auto space =
-          CellSpace::build(std::move(grid), {.movement = MovementRule::allow}).value();
-      const Query query{.start = {0.5, 0.5}, .goal = {last + 0.5, last + 0.5}};
+    for (const auto& [space, query] : test::ssa_tasks(kind)) {
       const auto optimum = AStar{}.search(space, query, reference, nobody);
       const AntColony hasty{.iterations = 2, .dead_ends = AntColony::DeadEnds::discard};
       const auto early = hasty.search(space, query, scratch, nobody);
@@ -107,8 +102,9 @@ TEST_CASE("ants learn: more rounds give shorter paths on the grids of the SSA-A*
 }
 
 TEST_CASE("an ant colony refuses what it cannot use, and says when no ant arrives") {
-  const auto space = CellSpace::build(test::ssa_grids("random_20")[0]).value();
-  const Query query{.start = {0.5, 0.5}, .goal = {19.5, 19.5}};
+  const auto tasks = test::ssa_tasks("random_20");
+  const CellSpace& space = tasks[0].space;
+  const Query& query = tasks[0].query;
   AntColony::Scratch scratch;
   NoObserver nobody;
   const auto code = [&](const AntColony& colony, const Query& q) {

@@ -30,10 +30,9 @@ TEST_CASE("SSA-A* keeps its bound on random grids and finds a path where there i
   double worst = 0;
   for (std::size_t round = 0; round < test::scaled(500); ++round) {
     INFO("seed " << seed << ", round " << round);
-    const MovementRule rules[] = {MovementRule::no_cut, MovementRule::allow,
-                                  MovementRule::no_squeeze, MovementRule::four_connected};
     const auto space =
-        CellSpace::build(test::random_grid(random, 40), {.movement = rules[round % 4]}).value();
+        CellSpace::build(test::random_grid(random, 40), {.movement = test::all_rules[round % 4]})
+            .value();
     const auto place = [&] { return space.frame().point(test::random_cell(random, space.grid())); };
     const Query query{.start = place(), .goal = place()};
     const SsaWeights w{random.uniform(0, 2), random.uniform(0, 2), random.uniform(0, 1)};
@@ -58,12 +57,9 @@ struct PaperSet {
   std::vector<Query> queries;
 
   explicit PaperSet(const std::string& name) {
-    for (OccupancyGrid& grid : test::ssa_grids(name)) {
-      const int last = grid.width() - 1;
-      spaces.push_back(
-          CellSpace::build(std::move(grid), {.movement = MovementRule::allow}).value());
-      const Frame& frame = spaces.back().frame();
-      queries.push_back({.start = frame.point({0, 0}), .goal = frame.point({last, last})});
+    for (auto& [space, query] : test::ssa_tasks(name)) {
+      spaces.push_back(std::move(space));
+      queries.push_back(query);
     }
   }
 };

@@ -19,6 +19,7 @@
 
 #include "support/catch.hpp"
 #include "support/exact_checker.hpp"
+#include "support/random_grids.hpp"
 #include "support/reference_distance.hpp"
 #include "support/scale.hpp"
 #include "tutavia/certify/certify.hpp"
@@ -41,8 +42,6 @@ static_assert(FeatureSpace<CellSpace>);
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr MovementRule all_rules[] = {MovementRule::no_cut, MovementRule::no_squeeze,
-                                      MovementRule::allow, MovementRule::four_connected};
 
 /// A map from rows of text, the topmost first: '#' is blocked.
 OccupancyGrid draw(const std::vector<std::string>& rows) {
@@ -276,7 +275,7 @@ CellOptions random_options(Random& random) {
   const Point origins[] = {{0, 0}, {-12.3, 4.7}, {1000.5, -2000}, {-3, 1e4 / 3}};
   return {.resolution = sizes[random.below(std::size(sizes))],
           .origin = origins[random.below(std::size(origins))],
-          .movement = all_rules[random.below(4)]};
+          .movement = test::all_rules[random.below(4)]};
 }
 
 /// A radius for cells of this size: none; a multiple of a quarter, or next to it; a distance of

@@ -4,9 +4,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/search/query.hpp"
+#include "tutavia/space/cell_space.hpp"
 
 /// \file
 /// Grids that stand for those of papers which print none.
@@ -35,13 +38,25 @@ inline OccupancyGrid to_grid(const nlohmann::json& rows) {
 
 }  // namespace detail
 
-/// The grids of one set of the SSA-A* paper ("cluster_20" ... "random_50"): the start is cell
-/// (0, 0), the goal the last cell.
-inline std::vector<OccupancyGrid> ssa_grids(const std::string& set) {
+/// A grid with a question for it.
+struct PaperTask {
+  CellSpace space;
+  Query query;
+};
+
+/// The grids of one set of the SSA-A* paper ("cluster_20" ... "random_50"): from cell (0, 0) to the
+/// last cell, corners may be cut.
+inline std::vector<PaperTask> ssa_tasks(const std::string& set) {
   const auto sets = detail::read_data("ssa_grids.json");
-  std::vector<OccupancyGrid> grids;
-  for (const auto& rows : sets.at(set)) grids.push_back(detail::to_grid(rows));
-  return grids;
+  std::vector<PaperTask> tasks;
+  for (const auto& rows : sets.at(set)) {
+    OccupancyGrid grid = detail::to_grid(rows);
+    const Cell last{grid.width() - 1, grid.height() - 1};
+    auto space = CellSpace::build(std::move(grid), {.movement = MovementRule::allow}).value();
+    const Query query{.start = space.frame().point({0, 0}), .goal = space.frame().point(last)};
+    tasks.push_back({std::move(space), query});
+  }
+  return tasks;
 }
 
 /// A grid that stands for map A, B or C of the paper "Improved REA*", without its safety buffer.

@@ -11,6 +11,9 @@
 
 namespace tutavia::test {
 
+inline constexpr MovementRule all_rules[] = {MovementRule::no_cut, MovementRule::no_squeeze,
+                                             MovementRule::allow, MovementRule::four_connected};
+
 /// A grid whose cells are blocked with probability `density`.
 inline OccupancyGrid noise_grid(Random& random, int width, int height, double density) {
   OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
