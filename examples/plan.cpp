@@ -6,17 +6,21 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,7 +58,7 @@ struct Arguments {
 struct Result {
   ResultHeader header;
   Expected<Plan, Failure> plan;
-  SearchRecord record{};  ///< what the search did, where it is to be drawn or written
+  SearchRecord record{};  ///< what the search grew, where it is to be drawn
 };
 
 /// What one search with one smoother made of every goal.
@@ -313,13 +317,50 @@ std::vector<AnySmoother<S>> select_smoothers(const Arguments& args) {
   return selected;
 }
 
+/// The file of --trace, if there is to be one: written as the searches go, each search once however
+/// many smoothers follow it.
+class TraceFile {
+ public:
+  explicit TraceFile(const std::string& path) : path_(path) {
+    if (path.empty()) return;
+    file_.open(path, std::ios::binary | std::ios::trunc);
+    check();
+  }
+
+  /// Whether a search is to be written.
+  bool takes(std::string_view search) {
+    return !path_.empty() && searches_.insert(std::string(search)).second;
+  }
+  void write(const ResultHeader& header, std::string_view status, const SearchRecord& record) {
+    std::string text;
+    append_trace(text, header, status, record);
+    file_ << text;
+    check();
+  }
+  void close() {
+    if (path_.empty()) return;
+    file_.close();
+    check();
+  }
+
+ private:
+  void check() const {
+    if (!file_) throw UsageError{"cannot write " + path_ + ": " + std::strerror(errno)};
+  }
+
+  std::string path_;
+  std::ofstream file_;
+  std::set<std::string> searches_;
+};
+
 template <class S>
-Group run(const S& space, const Scene& scene, const Arguments& args, const AnySearch<S>& search,
-          const AnySmoother<S>& smoother) {
+Group run(const S& space, const Scene& scene, const Arguments& args, TraceFile& trace,
+          const AnySearch<S>& search, const AnySmoother<S>& smoother) {
   const bool is_drawn = !args.svg.empty() && !args.compare;
-  SearchRecord record{.keeps_nodes = !args.trace.empty()};
+  const bool is_traced = trace.takes(search.name);
+  SearchRecord record{.keeps_nodes = is_traced};
   AnySearch<S> recorded = search;
-  if (is_drawn || !args.trace.empty()) recorded.record = &record;
+  if (is_drawn || is_traced) recorded.record = &record;
   Planner planner(recorded, smoother);
   // On workspaces results say how much longer they are than the shortest path.
   if constexpr (requires { space.workspace(); }) {
@@ -332,7 +373,19 @@ Group run(const S& space, const Scene& scene, const Arguments& args, const AnySe
     results.push_back({{std::string(search.name), smoother.name, scene.start, goal,
                         scene.workspace.safety_radius},
                        planner.plan(space, query)});
-    results.back().record.events = std::exchange(record.events, {});
+    const Result& result = results.back();
+    if (is_traced) {
+      trace.write(result.header, result.plan ? "success" : to_string(result.plan.error().code),
+                  record);
+    }
+    if (is_drawn) {
+      std::erase_if(record.events, [](const SearchEvent& event) {
+        return event.kind == SearchEvent::Kind::expanded ||
+               event.kind == SearchEvent::Kind::generated;
+      });
+      results.back().record.events = std::move(record.events);
+    }
+    record.events.clear();
   }
   return results;
 }
@@ -538,7 +591,8 @@ void write_results(const std::string& path, const std::vector<Group>& groups) {
 /// All searches with the smoother, and all smoothers with the search, which finds the same routes
 /// each time; a pipeline that is asked for takes part.
 template <class S>
-std::vector<Group> compare(const S& space, const Scene& scene, const Arguments& args, bool table) {
+std::vector<Group> compare(const S& space, const Scene& scene, const Arguments& args,
+                           TraceFile& trace, bool table) {
   const auto searches = all_searches<S>();
   const auto search = select(searches, "--search", args.search).front();
   const auto smoother = select_smoothers<S>(args).front();
@@ -546,13 +600,15 @@ std::vector<Group> compare(const S& space, const Scene& scene, const Arguments& 
   if (smoother.name.find('+') != std::string::npos) smoothers.push_back(smoother);
   std::vector<Group> groups;
   groups.reserve(searches.size() + smoothers.size());
-  for (const auto& other : searches) groups.push_back(run(space, scene, args, other, smoother));
+  for (const auto& other : searches)
+    groups.push_back(run(space, scene, args, trace, other, smoother));
   if (table) {
     std::printf("\nall searches, smoother %s; sums over %zu goals\n", args.smoother.c_str(),
                 scene.goals.size());
     print_searches(groups);
   }
-  for (const auto& other : smoothers) groups.push_back(run(space, scene, args, search, other));
+  for (const auto& other : smoothers)
+    groups.push_back(run(space, scene, args, trace, search, other));
   if (table) {
     std::printf("\nall smoothers, search %s, on the same routes; sums over %zu goals\n",
                 args.search.c_str(), scene.goals.size());
@@ -563,12 +619,13 @@ std::vector<Group> compare(const S& space, const Scene& scene, const Arguments& 
 
 /// The searches and smoothers asked for in every combination.
 template <class S>
-std::vector<Group> combine(const S& space, const Scene& scene, const Arguments& args, bool table) {
+std::vector<Group> combine(const S& space, const Scene& scene, const Arguments& args,
+                           TraceFile& trace, bool table) {
   const auto smoothers = select_smoothers<S>(args);
   std::vector<Group> groups;
   for (const auto& search : select(all_searches<S>(), "--search", args.search)) {
     for (const auto& smoother : smoothers) {
-      groups.push_back(run(space, scene, args, search, smoother));
+      groups.push_back(run(space, scene, args, trace, search, smoother));
       if (!table) continue;
       std::printf("\nsearch %s, smoother %s; changes against the route of the search\n",
                   std::string(search.name).c_str(), smoother.name.c_str());
@@ -578,23 +635,14 @@ std::vector<Group> combine(const S& space, const Scene& scene, const Arguments& 
   return groups;
 }
 
-void write_trace(const std::string& path, const std::vector<Group>& groups) {
-  std::string text;
-  for (const Group& group : groups) {
-    for (const Result& result : group) append_trace(text, result.header, result.record);
-  }
-  if (const auto written = write_file(path, text); !written) {
-    throw UsageError{written.error().detail};
-  }
-}
-
 /// Plans everything asked for and reports it. `y_down` is for pictures.
 template <class S>
 int plan_in(const S& space, const Scene& scene, const Arguments& args, bool draw_default,
             bool y_down) {
   const bool table = args.json != "-";
-  std::vector<Group> groups =
-      args.compare ? compare(space, scene, args, table) : combine(space, scene, args, table);
+  TraceFile trace(args.trace);
+  std::vector<Group> groups = args.compare ? compare(space, scene, args, trace, table)
+                                           : combine(space, scene, args, trace, table);
   std::fflush(stdout);
   const bool complete = std::all_of(groups.begin(), groups.end(), [](const Group& group) {
     return std::all_of(group.begin(), group.end(),
@@ -602,7 +650,7 @@ int plan_in(const S& space, const Scene& scene, const Arguments& args, bool draw
   });
 
   if (!args.json.empty()) write_results(args.json, groups);
-  if (!args.trace.empty()) write_trace(args.trace, groups);
+  trace.close();
   const std::string picture = args.svg.empty() && draw_default ? "maze.svg" : args.svg;
   if (!picture.empty()) {
     draw(picture, scene, space, y_down, std::move(groups));

@@ -51,6 +51,7 @@
 namespace tutavia {
 
 /// Any searcher on spaces of type S. Copies share the scratch memory: one thread at a time.
+/// Observers given to `search` are told nothing; `record` takes their place.
 template <class S>
 struct AnySearch {
   struct Scratch {};
@@ -100,9 +101,11 @@ AnySearch<S> erase_search(const A& algorithm) {
   auto scratch = std::make_shared<typename A::Scratch>();
   return {A::name, [algorithm, scratch](const S& space, const Query& query, SearchRecord* record) {
             detail::OptionalRecord observer{record};
-            auto route = algorithm.search(space, query, *scratch, observer);
             const auto add = [&](const Point& a, const Point& b) { record->edge(a, b); };
-            if constexpr (requires { scratch->for_each_edge(add); }) {
+            constexpr bool grows_tree = requires { scratch->for_each_edge(add); };
+            if constexpr (grows_tree) scratch->clear();  // what a failing query leaves is not its
+            auto route = algorithm.search(space, query, *scratch, observer);
+            if constexpr (grows_tree) {
               if (record != nullptr) scratch->for_each_edge(add);
             }
             return route;

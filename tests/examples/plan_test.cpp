@@ -138,6 +138,26 @@ TEST_CASE("a trace holds every step of the searches, a line of JSON for each") {
   CHECK(folder.run(task + "--trace no_folder/t.jsonl").code == 2);
 }
 
+TEST_CASE("a trace has every search once, and of a query that fails nothing but that") {
+  Folder folder;
+  // The second goal lies in an obstacle: what the tree of the first was is not told again.
+  const std::string goals = "--map array --goal 6,8.3 --goal 2.5,4 ";
+  const Outcome outcome =
+      folder.run(goals + "--search rrt --smoother none,shortcut --trace t.jsonl");
+  CHECK(outcome.code == 1);
+  std::vector<std::string> lines;
+  std::istringstream text(read(folder / "t.jsonl"));
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  std::size_t searches = 0;
+  for (const std::string& line : lines) searches += contains(line, "\"event\":\"search\"") ? 1 : 0;
+  CHECK(searches == 2);
+  CHECK(contains(lines.back(), "\"status\":\"goal_blocked\""));
+  REQUIRE(folder.run("--map array --compare --search rrt --svg with.svg --trace c.jsonl").code ==
+          0);
+  REQUIRE(folder.run("--map array --compare --search rrt --svg without.svg").code == 0);
+  CHECK(read(folder / "with.svg") == read(folder / "without.svg"));
+}
+
 TEST_CASE("without options tutavia-plan plans the maze and writes maze.svg") {
   const Folder folder;
   const Outcome outcome = folder.run("");

@@ -33,7 +33,7 @@ TEST_CASE("a picture shows obstacles, zones of the safety radius, route, curve a
                                   .intervals = {{{3, 3}, {6, 3}}},
                                   .title = "a < b & c"});
   CHECK(count(svg, "#9cc3b5") == 2);  // the tree and its legend
-  CHECK(count(svg, "width=\"200.00\" height=\"100.00\" fill=\"#7fb2d9\"") == 1);
+  CHECK(count(svg, "<path d=\"M216.00 646.00H416.00V546.00H216.00Z\" fill=\"#7fb2d9\"") == 1);
   CHECK(count(svg, "#7fb2d9") == 2);
   CHECK(count(svg, "#b8478a") == 2);
   CHECK(count(svg, "fill-rule=\"evenodd\"") == 2 * scene.workspace.obstacles.size());

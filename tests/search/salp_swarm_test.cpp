@@ -72,6 +72,8 @@ TEST_CASE("a swarm refuses what it cannot search") {
   CHECK(code({.leaders = 0}, lower, upper) == PlanError::invalid_option);
   CHECK(code({.leaders = 11}, lower, upper) == PlanError::invalid_option);
   CHECK(code({}, upper, lower) == PlanError::invalid_input);
+  const std::array<double, 3> far_apart{-1e308, -1e308, -1e308}, away{1e308, 1e308, 1e308};
+  CHECK(code({}, far_apart, away) == PlanError::invalid_input);
   CHECK(code({}, {}, {}) == PlanError::invalid_input);
   CHECK(code({}, lower, Place(upper).first(2)) == PlanError::invalid_input);
   std::array<double, 3> endless = upper;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 
 #include "support/free_route.hpp"
 #include "support/paper_maps.hpp"
@@ -129,6 +130,8 @@ TEST_CASE("SSA-A* and its training refuse what they cannot use") {
   };
   CHECK(code(spaces.first(3), {}).code == PlanError::invalid_input);
   CHECK(code(spaces, {.length_penalty = -1}).code == PlanError::invalid_option);
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(code(spaces, {.length_penalty = infinity}).code == PlanError::invalid_option);
   CHECK(code(spaces, {.swarm = {.population = 0}}).code == PlanError::invalid_option);
   CHECK(code(spaces, {.lower = {-1, 0, 0}, .swarm = {.iterations = 1}}).code ==
         PlanError::invalid_option);

@@ -168,12 +168,11 @@ class SvgPicture {
   }
 
   void rectangles() {
-    for (const Box& box : options_.rectangles) {
-      const auto [x0, x1] = std::minmax({pixel(box.min).x(), pixel(box.max).x()});
-      const auto [y0, y1] = std::minmax({pixel(box.min).y(), pixel(box.max).y()});
-      svg_.append("<rect x=\"").append(number(x0)).append("\" y=\"").append(number(y0));
-      svg_.append("\" width=\"").append(number(x1 - x0)).append("\" height=\"");
-      svg_.append(number(y1 - y0)).append("\" ").append(rectangle_style).append("/>\n");
+    for (const Box& box : options_.rectangles) {  // as paths: those without area show their border
+      const Point a = pixel(box.min), b = pixel(box.max);
+      svg_.append("<path d=\"M").append(number(a.x())).append(" ").append(number(a.y()));
+      svg_.append("H").append(number(b.x())).append("V").append(number(b.y()));
+      svg_.append("H").append(number(a.x())).append("Z\" ").append(rectangle_style).append("/>\n");
     }
     std::string d;
     for (const Segment& s : options_.intervals) {

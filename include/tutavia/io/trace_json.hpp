@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "tutavia/io/plan_json.hpp"
 #include "tutavia/search/search_record.hpp"
@@ -12,21 +13,24 @@
 
 namespace tutavia {
 
-/// Appends one search to a trace: a line that says what was asked, then one for each event, in
-/// order. Every line is an object with a member `event`:
+/// Appends one search to a trace: a line that says what was asked and what came of it (a result
+/// file's status), then one for each event, in order. Every line is an object with a member
+/// `event`:
 ///
-///     {"event":"search","search":"rea_star","start":[x,y],"goal":[x,y],"safety_radius":r}
+///     {"event":"search","search":"rea_star","status":"success","start":[x,y],"goal":[x,y],
+///      "safety_radius":r}
 ///     {"event":"expanded","at":[x,y]}
 ///     {"event":"generated","at":[x,y]}
 ///     {"event":"interval","from":[x,y],"to":[x,y]}
 ///     {"event":"rectangle","min":[x,y],"max":[x,y]}
 ///     {"event":"edge","from":[x,y],"to":[x,y]}
-inline void append_trace(std::string& text, const ResultHeader& header,
+inline void append_trace(std::string& text, const ResultHeader& header, std::string_view status,
                          const SearchRecord& record) {
   using Kind = SearchEvent::Kind;
   const auto add = [&](const detail::ResultJson& line) { text.append(line.dump()).append("\n"); };
   add({{"event", "search"},
        {"search", header.search},
+       {"status", status},
        {"start", detail::to_json(header.start)},
        {"goal", detail::to_json(header.goal)},
        {"safety_radius", header.safety_radius}});

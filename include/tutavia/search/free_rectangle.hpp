@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/segment.hpp"
+#include "tutavia/grid/line_of_sight.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -89,7 +91,9 @@ class FreeRectangles {
   /// Whether the cells of a line are free; false for lines beyond the grid.
   bool is_free(int axis, int line, const CellRun& run) const {
     const OccupancyGrid& lines = of(axis);
-    return line >= 0 && line < lines.height() && lines.run_end(line, run.first, true) > run.last;
+    return line >= 0 && line < lines.height() &&
+           detail::run_is_free(lines.words().data(), lines.index({run.first, line}),
+                               static_cast<std::uint32_t>(run.size()));
   }
 
   /// The largest free rectangle that grows from free cells: towards their side as far as that is

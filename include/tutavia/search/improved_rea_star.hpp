@@ -183,8 +183,9 @@ struct ImprovedReaStar {
   /// Whether to go on after the waves have met, until no key is below the length of a path through
   /// the middles that is known.
   bool continue_after_contact = false;
-  /// Whether the path is the shortest through the passages, nodes left out whose neighbours see
-  /// each other; else its nodes are placed by the paper's markers, and it is never shorter.
+  /// Whether the path is the shortest through the passages and a whole cell of where the waves met,
+  /// nodes left out whose neighbours see each other; else its nodes are placed by the paper's
+  /// markers, and it is never shorter.
   bool funnel = true;
 
   template <GridSpace S, Observer O = NoObserver>

@@ -113,7 +113,7 @@ inline void append_cell(std::vector<Cell>& cells, Cell cell) {
     const auto sign = [](int v) { return (v > 0) - (v < 0); };
     const Cell before = b - a, after = cell - b;
     if (sign(before.x) == sign(after.x) && sign(before.y) == sign(after.y) &&
-        before.x * after.y == before.y * after.x) {
+        std::int64_t{before.x} * after.y == std::int64_t{before.y} * after.x) {
       cells.back() = cell;
       return;
     }

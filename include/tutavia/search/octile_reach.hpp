@@ -40,15 +40,17 @@ class OctileReach {
     for (std::size_t i = size() - 1; i-- > 0;) lower(costs_[i], costs_[i + 1] + straight_cost);
   }
 
-  /// Reaches the cells of a side of the rectangle.
+  /// Reaches the cells of a side of the rectangle, or of any other line in it.
   void reach(const CellInterval& side) {
     first_ = side.first;
     reached_.assign(static_cast<std::size_t>(side.last - side.first + 1),
                     std::numeric_limits<Cost>::max());
-    if (side.axis == from_.axis) {
-      for (const int hand : {1, -1}) reach_line(side, hand);
-    } else {
-      reach_column(side);
+    for (const int hand : {1, -1}) {
+      if (side.axis == from_.axis) {
+        reach_line(side, hand);
+      } else {
+        reach_column(side, hand);
+      }
     }
   }
   /// What a cell of the side reached last costs.
@@ -129,25 +131,26 @@ class OctileReach {
     }
   }
 
-  /// The cells of a side across the interval.
-  void reach_column(const CellInterval& side) {
-    const bool rises = side.line <= from_.first;
-    const int nearest = rises ? from_.first : from_.last;
+  /// The cells of a side across the interval, from cells of the interval on one hand.
+  void reach_column(const CellInterval& side, int hand) {
+    const int nearest =
+        hand > 0 ? std::max(from_.first, side.line) : std::min(from_.last, side.line);
+    if (nearest < from_.first || nearest > from_.last) return;
     const int aside = std::abs(nearest - side.line);
-    const std::size_t n = size();
-    up_to_.resize(n);  // the least of the cells up to each, from the nearest on
-    for (std::size_t i = 0; i < n; ++i) {
-      up_to_[i] = costs_[rises ? i : n - 1 - i] + aslant * (aside + static_cast<Cost>(i));
-      if (i > 0) lower(up_to_[i], up_to_[i - 1]);
+    const int count = hand > 0 ? from_.last - nearest + 1 : nearest - from_.first + 1;
+    up_to_.resize(static_cast<std::size_t>(count));  // the least of the cells up to each
+    for (int i = 0; i < count; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      up_to_[k] = costs_[offset(nearest + hand * i)] + aslant * (aside + i);
+      if (i > 0) lower(up_to_[k], up_to_[k - 1]);
     }
-    const Cost at_end = costs_[rises ? 0 : n - 1];
+    const Cost at_nearest = costs_[offset(nearest)];
     for (int v = side.first; v <= side.last; ++v) {
       const int depth = std::abs(v - from_.line);
-      const auto near =
-          static_cast<std::size_t>(std::clamp(depth - aside, 0, from_.run().size() - 1));
-      reached_[static_cast<std::size_t>(v - first_)] =
-          depth < aside ? at_end + straight_cost * aside + aslant * depth
-                        : up_to_[near] + straight_cost * depth;
+      const auto near = static_cast<std::size_t>(std::clamp(depth - aside, 0, count - 1));
+      lower(reached_[static_cast<std::size_t>(v - first_)],
+            depth < aside ? at_nearest + straight_cost * aside + aslant * depth
+                          : up_to_[near] + straight_cost * depth);
     }
   }
 

@@ -88,18 +88,22 @@ inline bool passes(const CellInterval& rail, Cell a, Cell b) {
 }
 
 /// Appends the corners of a path along rails, from its last node to its first: nodes are left out
-/// where a straight line leads through their rails. \pre there are rails
+/// where a straight line leads through their rails, looked for in steps that double and then
+/// halve. O(n log n). \pre there are rails
 inline void append_corners(const std::vector<Rail>& rails, std::vector<Cell>& cells) {
   cells.push_back(rails.back().node());
   for (std::size_t from = rails.size() - 1; from > 0;) {
-    std::size_t to = from - 1;
     const auto leads_to = [&](std::size_t end) {
       for (std::size_t i = end + 1; i < from; ++i) {
         if (!passes(rails[i].cells, rails[from].node(), rails[end].node())) return false;
       }
       return true;
     };
-    while (to > 0 && leads_to(to - 1)) --to;
+    std::size_t to = from - 1, step = 1;
+    while (step <= to && leads_to(to - step)) to -= step, step *= 2;
+    for (; step > 0; step /= 2) {
+      if (step <= to && leads_to(to - step)) to -= step;
+    }
     from = to;
     if (cells.back() != rails[from].node()) append_cell(cells, rails[from].node());
   }

@@ -32,6 +32,7 @@ struct Passage {
   CellRectangle rectangle{};  ///< that grew from this one, if it was expanded
   double g = 0;               ///< what the evaluation keeps
   std::uint32_t costs = 0;    ///< the same
+  std::uint64_t asked = 0;    ///< in which expansion it was considered last
 };
 
 /// What a wave of rectangles keeps between queries: memory. `Evaluation` says what passages cost
@@ -49,7 +50,8 @@ struct RectangleWave {
   std::vector<Passage> passages;
   std::vector<std::uint32_t> expanded;
   std::vector<Entry> open;
-  OccupancyGrid marked, covered;  // cells of passages, cells of rectangles
+  OccupancyGrid marked, covered;       // cells of passages, cells of rectangles
+  std::vector<std::uint32_t> markers;  // of the cells that are marked: a passage that holds it
   Evaluation evaluation;
 };
 
@@ -63,9 +65,10 @@ struct RectangleWavesScratch {
 
 /// Rectangles grow from the start and from the goal by turns, in each wave from the passage with
 /// the smallest key, until one holds cells of a passage of the other wave (or, if the search is to
-/// go on, until no key is below the length of the best such meeting). A passage whose next cells
-/// lie in rectangles of its wave already leads nowhere new and is left out; a wave that comes to
-/// its end has therefore seen all it can reach.
+/// go on, until no key is below the length of the best such meeting); until then a new passage with
+/// cells in a rectangle of the other wave is a meeting, too. A passage whose next cells lie in
+/// rectangles of its wave already leads nowhere new and is left out; a wave that comes to its end
+/// has therefore seen all it can reach.
 ///
 /// An Evaluation, one for each wave:
 /// - `begin(goal, offset, grid)`: a query begins; the goal is where the wave goes to
@@ -169,6 +172,9 @@ class RectangleWaves {
     wave.open.clear();
     clear(wave.marked);
     clear(wave.covered);
+    if (wave.markers.size() < space_.grid().index_count()) {
+      wave.markers.resize(space_.grid().index_count());
+    }
     wave.evaluation.begin(there.goal_cell, there.goal_offset, space_.grid());
     for (const auto& [cell, cost] : there.starts) {
       Passage root{.cells = {0, cell.y, cell.x, cell.x, 1}, .parent = next(wave)};
@@ -182,11 +188,14 @@ class RectangleWaves {
   }
 
   void push(Wave& wave, const Passage& passage, double key) {
+    const CellInterval& cells = passage.cells;
+    for (int u = cells.first; u <= cells.last; ++u) {
+      wave.marked.set(cells.cell(u), true);
+      wave.markers[wave.marked.index(cells.cell(u))] = next(wave);
+    }
     wave.open.push_back({key, next(wave)});
     std::push_heap(wave.open.begin(), wave.open.end());
     wave.passages.push_back(passage);
-    const CellInterval& cells = passage.cells;
-    for (int u = cells.first; u <= cells.last; ++u) wave.marked.set(cells.cell(u), true);
     ++stats_.generated;
     observer_.generated(place(cells.middle()));
   }
@@ -225,8 +234,9 @@ class RectangleWaves {
 
   void expand(std::size_t turn, std::uint32_t from) {
     Wave& wave = scratch_.waves[turn];
-    const Wave& other = scratch_.waves[1 - turn];
+    Wave& other = scratch_.waves[1 - turn];
     const CellInterval cells = wave.passages[from].cells;
+    const bool had_met = met();
     observer_.expanded(place(cells.middle()));
     const bool root = is_root(wave, from);
     const CellRectangle r = root ? free_.grow_around(cells.cell(cells.first)) : free_.grow(cells);
@@ -237,8 +247,14 @@ class RectangleWaves {
       wave.covered.set_run(y, r.runs[0].first, r.runs[0].last, true);
     }
     wave.evaluation.expand(wave.passages[from]);
-    if (meets(other.marked, r)) {
-      for (std::uint32_t q = 0; q < other.passages.size(); ++q) consider(turn, from, q);
+    for (int y = r.runs[1].first; y <= r.runs[1].last; ++y) {
+      const auto next_marked = [&](int x) { return other.marked.run_end(y, x, false); };
+      for (int x = next_marked(r.runs[0].first); x <= r.runs[0].last; x = next_marked(x + 1)) {
+        const std::uint32_t passage = other.markers[other.marked.index({x, y})];
+        if (std::exchange(other.passages[passage].asked, stats_.expanded) != stats_.expanded) {
+          consider(turn, from, passage);
+        }
+      }
     }
     const std::uint32_t old = next(wave);
     for (const int side : {1, -1}) {
@@ -256,7 +272,7 @@ class RectangleWaves {
         }
       }
     }
-    for (std::uint32_t p = old; p < wave.passages.size(); ++p) {
+    for (std::uint32_t p = old; p < wave.passages.size() && !had_met; ++p) {
       if (!touches(other.covered, wave.passages[p].cells)) continue;
       for (const std::uint32_t entry : other.expanded) consider(1 - turn, entry, p);
     }

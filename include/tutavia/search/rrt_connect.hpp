@@ -22,6 +22,10 @@ namespace tutavia {
 struct TwoTreesScratch {
   SearchTree from_start, from_goal;
 
+  void clear() {
+    from_start.clear();
+    from_goal.clear();
+  }
   template <class Visit>
   void for_each_edge(const Visit& visit) const {
     from_start.for_each_edge(visit);

@@ -114,7 +114,9 @@ Expected<SwarmResult, Failure> SalpSwarm::minimise(const F& value, std::span<con
     return fail(PlanError::invalid_input, "as many lower as upper bounds are needed");
   }
   for (std::size_t j = 0; j < lower.size(); ++j) {
-    if (!(std::isfinite(lower[j]) && std::isfinite(upper[j]) && lower[j] <= upper[j])) {
+    // Sums with what a leader steps must stay finite, too.
+    constexpr double most = std::numeric_limits<double>::max() / 8;
+    if (!(-most <= lower[j] && lower[j] <= upper[j] && upper[j] <= most)) {
       return fail(PlanError::invalid_input, "bounds " + std::to_string(j) + " make no interval");
     }
   }

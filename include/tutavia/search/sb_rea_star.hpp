@@ -54,12 +54,12 @@ class CellEvaluation {
   }
 
   std::pair<double, Cell> meet(const Passage&, const CellEvaluation& other, const Passage& to,
-                               const CellInterval& joint) const {
+                               const CellInterval& joint) {
+    reach_.reach(joint);
     std::pair best{std::numeric_limits<Cost>::max(), Cell{}};
     for (int place = joint.first; place <= joint.last; ++place) {
-      const Cell cell = joint.cell(place);
-      const Cost cost = reach_.reach(cell).cost + other.cost_of(to, place);
-      if (cost < best.first) best = {cost, cell};
+      const Cost cost = reach_[place] + other.cost_of(to, place);
+      if (cost < best.first) best = {cost, joint.cell(place)};
     }
     return {static_cast<double>(best.first), best.second};
   }

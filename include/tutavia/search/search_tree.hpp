@@ -32,6 +32,9 @@ class SearchTree {
     links_.push_back({0, 0, none, none, none, none});
   }
 
+  /// Forgets the tree.
+  void clear() { links_.clear(); }
+
   std::size_t size() const { return links_.size(); }
   const PointIndex& points() const { return points_; }
   Point position(Node node) const { return points_[node]; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -103,8 +104,8 @@ Expected<TunedWeights, Failure> tune_ssa(std::span<const S> spaces, std::span<co
   if (spaces.empty() || spaces.size() != queries.size()) {
     return fail(PlanError::invalid_input, "as many queries as spaces are needed, one at least");
   }
-  if (!(training.length_penalty >= 0)) {
-    return fail(PlanError::invalid_option, "length_penalty must not be negative");
+  if (!(training.length_penalty >= 0 && std::isfinite(training.length_penalty))) {
+    return fail(PlanError::invalid_option, "length_penalty must be finite and not negative");
   }
   for (const SsaWeights& bound : {training.lower, training.upper}) {
     if (const auto failure = SsaAStar::check(bound)) return Unexpected{*failure};

@@ -33,6 +33,7 @@ concept AnytimeObserver = Observer<O> && requires(O& o, const Curve& path, doubl
 struct TreeScratch {
   SearchTree tree;
 
+  void clear() { tree.clear(); }
   template <class Visit>
   void for_each_edge(const Visit& visit) const {
     tree.for_each_edge(visit);

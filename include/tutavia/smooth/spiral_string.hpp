@@ -176,8 +176,9 @@ class SpiralString {
   /// much the bends beyond may take of the ways between, and so what is left of the next ways.
   void make_stale(std::size_t i) {
     std::size_t at = i;
-    for (int k = 0; k < 3 && bends_[at].previous != none; ++k) at = bends_[at].previous;
-    for (int k = 0; k < 6 && at != none; ++k, at = bends_[at].next) bends_[at].is_stale = true;
+    int count = 4;  // the bend and three after it, and three before
+    for (; count < 7 && bends_[at].previous != none; ++count) at = bends_[at].previous;
+    for (; count > 0 && at != none; --count, at = bends_[at].next) bends_[at].is_stale = true;
   }
 
   /// Takes margin from a bend. Returns whether it had any.
