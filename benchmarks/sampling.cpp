@@ -19,6 +19,7 @@
 
 #include "program.hpp"
 #include "tutavia/certify/certify.hpp"
+#include "tutavia/io/moving_ai.hpp"
 #include "tutavia/planner.hpp"
 #include "tutavia/pull/redundant_node_removal.hpp"
 #include "tutavia/pull/shortcut.hpp"
@@ -29,6 +30,7 @@
 #include "tutavia/search/safe_rrt_star.hpp"
 #include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
+#include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/inflated_space.hpp"
 #include "tutavia/world/maps.hpp"
 
