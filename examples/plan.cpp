@@ -145,8 +145,9 @@ SceneFile load_file(const std::string& path) {
   if (extension == ".json") return value_or_usage_error(read_scene_json(path));
   if (extension == ".geojson") return value_or_usage_error(read_geo_json(path));
   if (extension == ".wkt") {
-    SceneFile file;
-    file.scene.workspace.obstacles = value_or_usage_error(read_file(path, parse_wkt));
+    WktObstacles read = value_or_usage_error(read_file(path, parse_wkt));
+    SceneFile file{.scene = {}, .warnings = std::move(read.warnings)};
+    file.scene.workspace.obstacles = std::move(read.obstacles);
     file.scene.workspace.safety_radius = std::numeric_limits<double>::quiet_NaN();
     return file;
   }

@@ -400,6 +400,20 @@ TEST_CASE("WKT and GeoJSON files are planned in, with what they lack given as op
   CHECK(contains(folder.run("--workspace wall.shp").err, "unknown kind of file"));
 }
 
+TEST_CASE("a wall of vertices with three ordinates stands where its file says") {
+  const Folder folder;
+  folder.write("wall.wkt", "LINESTRING(5 2 0,5 8 0)");
+  const Outcome plan = folder.run(
+      "--workspace wall.wkt --start 3.5,4 --goal 9,4 --radius 0.3 --bounds 0,0,12,12 "
+      "--search tangent_graph --smoother none --json wall.json");
+  CHECK(plan.code == 0);
+  CHECK(contains(plan.err, "wall.wkt: line 1, column 12: ordinates beyond x and y are dropped"));
+  CHECK(lines(plan.err) == 1);
+  // Round the lower end of the wall, at a distance of 0.3 m from (5, 2).
+  const auto result = nlohmann::json::parse(read(folder / "wall.json"))["results"][0];
+  CHECK(result["metrics"]["length"].get<double>() == Approx(7.4175).margin(1e-4));
+}
+
 TEST_CASE("every row of the input contract can be reached from the command line") {
   const Folder folder;
   const auto world = [&](const std::string& obstacles, const std::string& more = "") {

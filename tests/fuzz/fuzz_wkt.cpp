@@ -11,8 +11,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tutavia;
-  auto obstacles = parse_wkt({reinterpret_cast<const char*>(data), size});
-  if (!obstacles) return 0;
-  test::check_obstacles(std::move(*obstacles));
+  auto read = parse_wkt({reinterpret_cast<const char*>(data), size});
+  if (!read) return 0;
+  test::check_obstacles(std::move(read->obstacles));
   return 0;
 }

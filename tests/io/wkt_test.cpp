@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/io/wkt.hpp"
 
+#include <string>
+#include <vector>
+
 #include "support/catch.hpp"
 
 namespace {
@@ -8,14 +11,29 @@ namespace {
 using namespace tutavia;
 
 std::string complaint(const std::string& text) {
-  const auto obstacles = parse_wkt(text);
-  REQUIRE_FALSE(obstacles);
-  CHECK(obstacles.error().code == PlanError::invalid_input);
-  return obstacles.error().detail;
+  const auto read = parse_wkt(text);
+  INFO(text);
+  REQUIRE_FALSE(read);
+  CHECK(read.error().code == PlanError::invalid_input);
+  return read.error().detail;
+}
+
+std::vector<Obstacle> obstacles(const std::string& text) {
+  const auto read = parse_wkt(text);
+  INFO(text);
+  REQUIRE(read);
+  CHECK(read->warnings.empty());
+  return read->obstacles;
+}
+
+/// The outer ring of the only obstacle.
+Ring outer(const std::vector<Obstacle>& obstacles) {
+  REQUIRE(obstacles.size() == 1);
+  return std::get<Polygon>(obstacles[0]).outer;
 }
 
 TEST_CASE("every kind of geometry becomes obstacles") {
-  const auto obstacles = parse_wkt(
+  const auto all = obstacles(
       "# two walls\n"
       "POLYGON((0 0,4 0,4 4,0 0),(1 0.5,2 0.5,2 1,1 0.5))\r\n"
       "multipolygon(((5 5,6 5,6 6,5 5)),\n"
@@ -23,26 +41,122 @@ TEST_CASE("every kind of geometry becomes obstacles") {
       "LINESTRING(0 0,1 1,2 0) POINT(1 2)\n"
       "MULTIPOINT((1 1),(2 2))\n"
       "MULTILINESTRING((0 0,1 1),(2 2,3 3))");
-  REQUIRE(obstacles);
-  REQUIRE(obstacles->size() == 9);
-  const auto& polygon = std::get<Polygon>((*obstacles)[0]);
+  REQUIRE(all.size() == 9);
+  const auto& polygon = std::get<Polygon>(all[0]);
   CHECK(polygon.outer == Ring{{0, 0}, {4, 0}, {4, 4}, {0, 0}});
   REQUIRE(polygon.holes.size() == 1);
   CHECK(polygon.holes[0][1] == Point(2, 0.5));
-  CHECK(std::get<Polygon>((*obstacles)[2]).outer[1] == Point(8, 7));
-  CHECK(std::get<Polygon>((*obstacles)[3]).outer == Ring{{0, 0}, {1, 1}, {2, 0}, {1, 1}, {0, 0}});
-  CHECK(std::get<Disc>((*obstacles)[4]).center == Point(1, 2));
-  CHECK(std::get<Disc>((*obstacles)[6]).center == Point(2, 2));
-  CHECK(parse_wkt("")->empty());
-  CHECK(parse_wkt("# nothing\n\n")->empty());
+  CHECK(std::get<Polygon>(all[2]).outer[1] == Point(8, 7));
+  CHECK(std::get<Polygon>(all[3]).outer == Ring{{0, 0}, {1, 1}, {2, 0}, {1, 1}, {0, 0}});
+  CHECK(std::get<Disc>(all[4]).center == Point(1, 2));
+  CHECK(std::get<Disc>(all[6]).center == Point(2, 2));
+  CHECK(obstacles("").empty());
+  CHECK(obstacles("# nothing\n\n").empty());
+  CHECK(obstacles("# no line end").empty());
 }
 
-TEST_CASE("malformed WKT is reported with the line at which the geometry begins") {
-  CHECK(complaint("POINT(0 0)\nPOLYGON((0 0,1 x))").find("line 2: ") == 0);
-  CHECK(complaint("\n\nCIRCLE(0 0 1)").find("line 3: unknown geometry \"CIRCLE\"") == 0);
-  CHECK(complaint("POINT(1 1)\nPOLYGON((0 0,\n1 1").find("line 2: ") == 0);
-  CHECK(complaint(")").find("line 1: ") == 0);
-  CHECK(complaint("POINT(1 2 3)").find("line 1: ") == 0);
+TEST_CASE("numbers and points are read in every way that the standard writes them") {
+  CHECK(outer(obstacles("LINESTRING(1e2 2E+1,-1.5e-3 +5)"))[0] == Point(100, 20));
+  CHECK(outer(obstacles("LINESTRING(1e2 2E+1,-1.5e-3 +5)"))[1] == Point(-0.0015, 5));
+  CHECK(outer(obstacles("linestring\t( .5 -.5 ,\n5. -0 )"))[0] == Point(0.5, -0.5));
+  for (const char* text : {"MULTIPOINT(9 8, 10 11)", "MULTIPOINT ( (9 8) ,(10 11))",
+                           "MULTIPOINT(9 8,(10 11))", "MULTIPOINT(EMPTY,9 8,(10 11))"}) {
+    const auto points = obstacles(text);
+    REQUIRE(points.size() == 2);
+    CHECK(std::get<Disc>(points[0]).center == Point(9, 8));
+    CHECK(std::get<Disc>(points[1]).center == Point(10, 11));
+  }
+}
+
+TEST_CASE("a third and a fourth ordinate are dropped, and that is said once") {
+  const Ring square{{3, 2}, {8, 2}, {8, 9}, {3, 2}};
+  for (const char* text :
+       {"POLYGON((3 2 5,8 2 5,8 9 5,3 2 5))", "POLYGON((3 2 0,8 2 0,8 9 0,3 2 0))",
+        "POLYGON((3 2 5.2 1,8 2 5.2 1,8 9 5.2 1,3 2 5.2 1))",
+        "POLYGON((3 2 0 -1.79769e+308,8 2 0 -1.79769e+308,8 9 1 0,3 2 1 0))"}) {
+    const auto read = parse_wkt(text);
+    REQUIRE(read);
+    CHECK(outer(read->obstacles) == square);
+    CHECK(read->warnings ==
+          std::vector<std::string>{"line 1, column 10: ordinates beyond x and y are dropped"});
+  }
+  const auto read = parse_wkt("POINT(1 2)\nLINESTRING(5 2 0,5 8 0)\nPOINT(1 2 3) POINT(1 2 3 4)");
+  REQUIRE(read);
+  REQUIRE(read->obstacles.size() == 4);
+  CHECK(std::get<Polygon>(read->obstacles[1]).outer == Ring{{5, 2}, {5, 8}, {5, 2}});
+  CHECK(std::get<Disc>(read->obstacles[3]).center == Point(1, 2));
+  CHECK(read->warnings ==
+        std::vector<std::string>{"line 2, column 12: ordinates beyond x and y are dropped"});
+}
+
+TEST_CASE("what is EMPTY is no obstacle") {
+  for (const char* text : {"POINT EMPTY", "polygon empty", "MULTIPOLYGON EMPTY", "LINESTRING EMPTY",
+                           "MULTIPOINT(EMPTY, EMPTY)", "MULTILINESTRING(EMPTY)", "POLYGON(EMPTY)",
+                           "MULTIPOLYGON(EMPTY,(EMPTY))"}) {
+    CHECK(obstacles(text).empty());
+  }
+  CHECK(outer(obstacles("POLYGON EMPTY\nPOLYGON((3 2, 6 2, 6 7, 3 7, 3 2))")).size() == 5);
+  CHECK(outer(obstacles("MULTIPOLYGON(EMPTY,((3 2,6 2,6 7,3 7,3 2)))")).size() == 5);
+  CHECK(std::get<Polygon>(obstacles("POLYGON((3 2,6 2,6 7,3 2),EMPTY)")[0]).holes.empty());
+  CHECK(std::get<Disc>(obstacles("POINT(7 8)POINT EMPTY")[0]).center == Point(7, 8));
+}
+
+TEST_CASE("anything else is an error that says where, and never an obstacle") {
+  struct Case {
+    const char* text;
+    const char* expected;
+  };
+  for (const Case& bad : {
+           Case{"LINESTRING(1,4 5)",
+                "line 1, column 13: expected the second ordinate of a vertex, found \",4\""},
+           Case{"POLYGON((0,0, 4,0, 4,4, 0,0))",
+                "line 1, column 11: expected the second ordinate of a vertex, found \",0,\""},
+           Case{"LINESTRING(1,5 2,5, 3,5 4,5)", "line 1, column 13: "},
+           Case{"Polygon((0 1, 1 2, 3 4 5, 0 1))",
+                "line 1, column 20: a vertex of 3 ordinates in a geometry of 2"},
+           Case{"POLYGON((0 0 1, 5 0 5, 5 5 1, 0 0 1), (1 1, 2 1, 2 2, 1 1))",
+                "line 1, column 40: a vertex of 2 ordinates in a geometry of 3"},
+           Case{"MULTIPOINT((1 2),(1 2 3))", "a vertex of 3 ordinates in a geometry of 2"},
+           Case{"POINT(1 2 3 4 5)", "line 1, column 15: expected ')', found \"5)\""},
+           Case{"POINT(0 0)\nPOLYGON((0 0,1 x))", "line 2, column 16: expected the second"},
+           Case{"\n\nCIRCLE(0 0 1)", "line 3, column 1: unknown geometry \"CIRCLE\""},
+           Case{"POINT(1 1)\nPOLYGON((0 0,\n1 1",
+                "line 3, column 4: expected ',' or ')', found the end of the text (the geometry "
+                "begins at line 2)"},
+           Case{"POLYGON((0 0, 4 0, 4 4, 0 0)\nPOLYGON((10 0, 14 0, 14 4, 10 0))",
+                "line 2, column 1: expected ',' or ')', found \"POLYGON((10\""},
+           Case{")", "line 1, column 1: expected a geometry, found \")\""},
+           Case{"POLYGON((0 0, 4 0, 4 4, 0 0)) x", "line 1, column 31: unknown geometry \"x\""},
+           Case{"POLYGON((0 0, 4 0, 4 4, 0 0)))", "line 1, column 30: expected a geometry"},
+           Case{"POINT", "line 1, column 6: expected '(' or EMPTY, found the end of the text"},
+           Case{"POINT()", "line 1, column 7: expected a number, found \")\""},
+           Case{"POINT(EMPTY)", "line 1, column 7: expected a number"},
+           Case{"POINT EMPTYPOINT(1 2)", "line 1, column 7: expected '(' or EMPTY"},
+           Case{"POINT(1 2, 3 4)", "line 1, column 10: expected ')'"},
+           Case{"MULTIPOINT((1 2, 3 4))", "line 1, column 16: expected ')'"},
+           Case{"POINT(1)", "line 1, column 8: expected the second ordinate"},
+           Case{"POINT(nan nan)", "line 1, column 7: expected a number"},
+           Case{"POINT(1 inf)", "line 1, column 9: expected the second ordinate"},
+           Case{"POINT(1 -infinity)", "line 1, column 9: expected the second ordinate"},
+           Case{"POINT(1 0x10)", "line 1, column 9: expected the second ordinate"},
+           Case{"POINT(1 2d0)", "line 1, column 9: expected the second ordinate"},
+           Case{"POINT(1 +-2)", "line 1, column 9: expected the second ordinate"},
+           Case{"POINT(1 1e999)", "line 1, column 9: a number beyond the range of double"},
+           Case{"POINT(1.2.3)", "line 1, column 7: expected a number"},
+           Case{"POLYGON(0 0,4 0,4 4,0 0)", "line 1, column 9: expected '(' or EMPTY"},
+           Case{"POLYGON(((0 0,4 0,4 4,0 0)))", "line 1, column 10: expected a number"},
+           Case{"POLYGON((0 0,4 0,,4 4))", "line 1, column 18: expected a number"},
+           Case{"POLYGON(EMPTY,(0 0,4 0,4 4,0 0))", "a hole in a polygon without an outer ring"},
+           Case{"POLYGON((0 0,4 0 # corner\n,4 4))", "line 1, column 18: expected ',' or ')'"},
+       }) {
+    INFO(bad.text);
+    const std::string detail = complaint(bad.text);
+    INFO(detail);
+    CHECK(detail.find(bad.expected) != std::string::npos);
+  }
+  using namespace std::string_literals;
+  complaint("POINT(1 2\0)"s);
+  complaint("\0"s);
 }
 
 }  // namespace

@@ -2,23 +2,17 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/geometry/geometries/linestring.hpp>
-#include <boost/geometry/geometries/multi_linestring.hpp>
-#include <boost/geometry/geometries/multi_point.hpp>
-#include <boost/geometry/geometries/multi_polygon.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
-#include <boost/geometry/io/wkt/read.hpp>
 #include <cctype>
+#include <charconv>
 #include <cstddef>
-#include <exception>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "tutavia/core/error.hpp"
-#include "tutavia/space/boost_rtree.hpp"
+#include "tutavia/geometry/polygon.hpp"
 #include "tutavia/world/workspace.hpp"
 
 /// \file
@@ -26,122 +20,226 @@
 
 namespace tutavia {
 
+/// Obstacles as read, and what the reader dropped.
+struct WktObstacles {
+  std::vector<Obstacle> obstacles;
+  std::vector<std::string> warnings;  ///< one line each
+};
+
 namespace detail {
 
-/// Reads one WKT geometry with Boost.Geometry and turns it into obstacles.
+/// A strict parser: text that it does not understand to the last character is an error, because a
+/// lenient reader puts obstacles where the text does not have them.
 class WktReader {
  public:
-  /// Throws what Boost throws for malformed text, or a string.
-  static void read(const std::string& text, std::vector<Obstacle>& out) {
-    namespace bg = boost::geometry;
-    const std::string type = keyword(text);
-    if (type == "POINT") {
-      out.emplace_back(Disc{to_point(parse<WktPoint>(text)), 0});
-    } else if (type == "MULTIPOINT") {
-      for (const auto& p : parse<bg::model::multi_point<WktPoint>>(text)) {
-        out.emplace_back(Disc{to_point(p), 0});
-      }
-    } else if (type == "LINESTRING") {
-      out.emplace_back(wall(to_ring(parse<Line>(text))));
-    } else if (type == "MULTILINESTRING") {
-      for (const auto& line : parse<bg::model::multi_linestring<Line>>(text)) {
-        out.emplace_back(wall(to_ring(line)));
-      }
-    } else if (type == "POLYGON") {
-      out.emplace_back(solid(parse<Area>(text)));
-    } else if (type == "MULTIPOLYGON") {
-      for (const auto& area : parse<bg::model::multi_polygon<Area>>(text)) {
-        out.emplace_back(solid(area));
-      }
-    } else {
-      throw "unknown geometry \"" + type + "\"";
+  explicit WktReader(std::string_view text) : text_(text) {}
+
+  Expected<WktObstacles, Failure> read() {
+    try {
+      for (skip_comments(); next_ < text_.size(); skip_comments()) geometry();
+    } catch (const ParseError& error) {
+      return fail(PlanError::invalid_input, error.message);
     }
+    return std::move(out_);
   }
 
  private:
-  using WktPoint = boost::geometry::model::d2::point_xy<double>;
-  using Line = boost::geometry::model::linestring<WktPoint>;
-  using Area = boost::geometry::model::polygon<WktPoint>;
+  struct ParseError {
+    std::string message;
+  };
 
-  static std::string keyword(const std::string& text) {
-    std::string word;
-    for (const char c : text) {
-      if (std::isalpha(static_cast<unsigned char>(c)) == 0) break;
-      word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  void geometry() {
+    first_ = next_;
+    ordinates_ = 0;
+    const std::string_view type = word();
+    if (is(type, "POINT")) {
+      list([this] { add(vertex()); }, 1);
+    } else if (is(type, "MULTIPOINT")) {
+      list([this] {
+        const auto point = [this] { add(vertex()); };
+        skip_space();
+        is_number_next() ? point() : list(point, 1);
+      });
+    } else if (is(type, "LINESTRING")) {
+      add_line();
+    } else if (is(type, "MULTILINESTRING")) {
+      list([this] { add_line(); });
+    } else if (is(type, "POLYGON")) {
+      add_polygon();
+    } else if (is(type, "MULTIPOLYGON")) {
+      list([this] { add_polygon(); });
+    } else if (type.empty()) {
+      expected(first_, "a geometry");
+    } else {
+      error(first_, "unknown geometry \"" + std::string(type) + "\"");
     }
-    return word;
   }
-  template <class Geometry>
-  static Geometry parse(const std::string& text) {
-    Geometry geometry;
-    boost::geometry::read_wkt(text, geometry);
-    return geometry;
+
+  void add(const Point& p) { out_.obstacles.emplace_back(Disc{p, 0}); }
+  void add_line() {
+    Ring points = ring();
+    if (!points.empty()) out_.obstacles.emplace_back(wall(std::move(points)));
   }
-  static Point to_point(const WktPoint& p) { return {p.x(), p.y()}; }
-  template <class Points>
-  static Ring to_ring(const Points& points) {
-    Ring ring;
-    for (const WktPoint& p : points) ring.push_back(to_point(p));
-    return ring;
+  void add_polygon() {
+    Polygon polygon;
+    bool is_outer = true;
+    list([&] {
+      const std::size_t at = next_;
+      Ring points = ring();
+      if (is_outer) {
+        polygon.outer = std::move(points);
+      } else if (polygon.outer.empty()) {
+        error(at, "a hole in a polygon without an outer ring");
+      } else if (!points.empty()) {
+        polygon.holes.push_back(std::move(points));
+      }
+      is_outer = false;
+    });
+    if (!polygon.outer.empty()) out_.obstacles.emplace_back(std::move(polygon));
   }
-  static Polygon solid(const Area& area) {
-    Polygon polygon{to_ring(area.outer())};
-    for (const auto& hole : area.inners()) polygon.holes.push_back(to_ring(hole));
-    return polygon;
+
+  Ring ring() {
+    Ring points;
+    list([&] { points.push_back(vertex()); });
+    return points;
   }
+
+  /// Reads `EMPTY`, or items separated by commas in parentheses; `at_most` items.
+  template <class Item>
+  void list(Item item, std::size_t at_most = std::string_view::npos) {
+    skip_space();
+    if (!accept('(')) {
+      const std::size_t at = next_;
+      if (!is(word(), "EMPTY")) expected(at, "'(' or EMPTY");
+      return;
+    }
+    item();
+    std::size_t count = 1;
+    while (count++ < at_most && accept(',')) item();
+    if (!accept(')')) expected(next_, at_most > 1 ? "',' or ')'" : "')'");
+  }
+
+  /// Reads x and y; a third and a fourth ordinate are dropped.
+  Point vertex() {
+    skip_space();
+    const std::size_t at = next_;
+    Point p;
+    p.x() = number("a number");
+    p.y() = number("the second ordinate of a vertex");
+    std::size_t count = 2;
+    for (skip_space(); count < 4 && is_number_next(); skip_space(), ++count) number("a number");
+    if (ordinates_ == 0) ordinates_ = count;
+    if (count != ordinates_) {
+      error(at, "a vertex of " + std::to_string(count) + " ordinates in a geometry of " +
+                    std::to_string(ordinates_));
+    }
+    if (count > 2 && out_.warnings.empty()) {
+      out_.warnings.push_back(place(at) + "ordinates beyond x and y are dropped");
+    }
+    return p;
+  }
+
+  /// A decimal number, which ends where a number may end.
+  double number(const char* what) {
+    skip_space();
+    if (!is_number_next()) expected(next_, what);
+    const std::size_t at = next_;
+    double value = 0;
+    const char* const first = text_.data() + at + (text_[at] == '+' ? 1 : 0);
+    const auto [last, status] = std::from_chars(first, text_.data() + text_.size(), value);
+    next_ = static_cast<std::size_t>(last - text_.data());
+    if (status == std::errc::result_out_of_range) error(at, "a number beyond the range of double");
+    if (status != std::errc{} || !(is_end() || is_space(text_[next_]) || is_one_of(",()"))) {
+      expected(at, what);
+    }
+    return value;
+  }
+
+  /// Whether a number begins here; neither "nan" nor "inf" does.
+  bool is_number_next() const {
+    std::size_t i = next_;
+    if (i < text_.size() && (text_[i] == '-' || text_[i] == '+')) ++i;
+    if (i < text_.size() && text_[i] == '.') ++i;
+    return i < text_.size() && text_[i] >= '0' && text_[i] <= '9';
+  }
+
+  std::string_view word() {
+    const std::size_t from = next_;
+    while (!is_end() && std::isalpha(static_cast<unsigned char>(text_[next_])) != 0) ++next_;
+    return text_.substr(from, next_ - from);
+  }
+  static bool is(std::string_view word, std::string_view upper) {
+    return std::equal(word.begin(), word.end(), upper.begin(), upper.end(), [](char a, char b) {
+      return std::toupper(static_cast<unsigned char>(a)) == b;
+    });
+  }
+  bool accept(char c) {
+    skip_space();
+    if (is_end() || text_[next_] != c) return false;
+    ++next_;
+    return true;
+  }
+
+  bool is_end() const { return next_ == text_.size(); }
+  static bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+  bool is_one_of(std::string_view any) const {
+    return any.find(text_[next_]) != std::string_view::npos;
+  }
+  void skip_space() {
+    while (!is_end() && is_space(text_[next_])) ++next_;
+  }
+  /// Passes over white space and lines that begin with #.
+  void skip_comments() {
+    for (skip_space(); !is_end() && text_[next_] == '#' && is_line_start(); skip_space()) {
+      next_ = std::min(text_.find('\n', next_), text_.size());
+    }
+  }
+  bool is_line_start() const { return next_ == 0 || text_[next_ - 1] == '\n'; }
+
+  std::size_t line_of(std::size_t at) const {
+    return 1 + static_cast<std::size_t>(std::count(
+                   text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  }
+  /// "line 3, column 7: ", columns in bytes.
+  std::string place(std::size_t at) const {
+    const std::size_t before = text_.substr(0, at).rfind('\n');  // npos + 1 is 0
+    return "line " + std::to_string(line_of(at)) + ", column " + std::to_string(at - before) + ": ";
+  }
+  [[noreturn]] void error(std::size_t at, const std::string& what) const {
+    std::string message = place(at) + what;
+    if (line_of(first_) != line_of(at)) {
+      message += " (the geometry begins at line " + std::to_string(line_of(first_)) + ")";
+    }
+    throw ParseError{message};
+  }
+  [[noreturn]] void expected(std::size_t at, const std::string& what) const {
+    std::size_t end = at;
+    while (end < text_.size() && end < at + 20 && !is_space(text_[end])) ++end;
+    const bool at_end = at == text_.size();
+    error(at, "expected " + what + ", found " +
+                  (at_end ? "the end of the text"
+                          : "\"" + std::string(text_.substr(at, end - at)) + "\""));
+  }
+
+  std::string_view text_;
+  std::size_t next_ = 0;
+  std::size_t first_ = 0;      // where the present geometry begins
+  std::size_t ordinates_ = 0;  // of its vertices; 0 before the first
+  WktObstacles out_;
 };
 
 }  // namespace detail
 
-/// Parses obstacles from WKT, coordinates in metres: any number of POLYGON, MULTIPOLYGON,
-/// LINESTRING, MULTILINESTRING (walls without thickness), POINT and MULTIPOINT geometries, one
-/// after the other over any number of lines; lines that begin with # are comments. `invalid_input`
-/// with the line at which the bad geometry begins; obstacles are not validated before a space is
+/// Parses obstacles from WKT (OGC 06-103r4, section 7), coordinates in metres: any number of
+/// POLYGON, MULTIPOLYGON, LINESTRING, MULTILINESTRING (walls without thickness), POINT and
+/// MULTIPOINT geometries, one after the other over any number of lines; lines that begin with # are
+/// comments between geometries. The vertices of a geometry have two ordinates each, or three, or
+/// four; those beyond x and y are dropped with a warning. EMPTY is no obstacle.
+///
+/// All else is `invalid_input` with line and column. Obstacles are not validated before a space is
 /// built.
-inline Expected<std::vector<Obstacle>, Failure> parse_wkt(std::string_view text) {
-  std::vector<Obstacle> obstacles;
-  std::string geometry;
-  std::size_t line = 1, first_line = 1;
-  int depth = 0;
-  bool comment = false, line_start = true;
-  const auto finish = [&]() -> std::string {
-    const std::string complete = std::exchange(geometry, {});
-    if (complete.empty()) return {};
-    try {
-      detail::WktReader::read(complete, obstacles);
-    } catch (const std::string& complaint) {
-      return complaint;
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-    return {};
-  };
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    const char c = i < text.size() ? text[i] : '\n';
-    if (line_start && c == '#' && depth == 0) comment = true;
-    if (!comment && (!geometry.empty() || std::isspace(static_cast<unsigned char>(c)) == 0)) {
-      if (geometry.empty()) first_line = line;
-      geometry += c == '\n' || c == '\r' || c == '\0' ? ' ' : c;
-      if (c == '(') ++depth;
-      if (c == ')') --depth;
-    }
-    const bool empty_ends = c == '\n' && depth == 0 && geometry.size() >= 6 &&
-                            geometry.find("EMPTY") != std::string::npos;
-    if (!geometry.empty() && ((c == ')' && depth <= 0) || empty_ends || i == text.size())) {
-      const std::string complaint = finish();
-      if (!complaint.empty()) {
-        return fail(PlanError::invalid_input,
-                    "line " + std::to_string(first_line) + ": " + complaint);
-      }
-      depth = 0;
-    }
-    line_start = c == '\n';
-    if (line_start) {
-      comment = false;
-      ++line;
-    }
-  }
-  return obstacles;
+inline Expected<WktObstacles, Failure> parse_wkt(std::string_view text) {
+  return detail::WktReader(text).read();
 }
 
 }  // namespace tutavia
