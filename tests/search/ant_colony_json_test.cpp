@@ -6,6 +6,7 @@
 #include "support/free_route.hpp"
 #include "support/paper_maps.hpp"
 #include "support/random_grids.hpp"
+#include "support/random_query.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/ant_colony.hpp"
 #include "tutavia/search/astar.hpp"
@@ -31,8 +32,8 @@ TEST_CASE("what ants find is a path, the same from the same seed") {
     const auto space =
         CellSpace::build(test::random_grid(random, 24), {.movement = test::all_rules[round % 4]})
             .value();
-    const auto place = [&] { return space.frame().point(test::random_cell(random, space.grid())); };
-    const Query query{.start = place(), .goal = place(), .seed = round};
+    Query query = test::random_query(random, space);
+    query.seed = round;
     const auto route = AntColony{}.search(space, query, scratch, nobody);
     const auto again = AntColony{}.search(space, query, other, nobody);
     REQUIRE(route.has_value() == again.has_value());

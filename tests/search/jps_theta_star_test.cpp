@@ -10,6 +10,7 @@
 
 #include "support/free_route.hpp"
 #include "support/random_grids.hpp"
+#include "support/random_query.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/search/astar.hpp"
@@ -36,8 +37,7 @@ TEST_CASE("JPS_Theta* keeps its bound and gains by lines of sight on random grid
   for (std::size_t round = 0; round < test::scaled(300); ++round) {
     INFO("seed " << seed << ", round " << round);
     const auto space = CellSpace::build(test::random_grid(random, 60)).value();
-    const auto place = [&] { return space.frame().point(test::random_cell(random, space.grid())); };
-    const Query query{.start = place(), .goal = place()};
+    const Query query = test::random_query(random, space);
     const auto shortest = AStar{}.search(space, query, grid_scratch, nobody);
     const auto search = [&](SightUse use) {
       return JpsThetaStar{.lines_of_sight = use}.search(space, query, scratch, nobody);
@@ -78,8 +78,7 @@ TEST_CASE("with weights of at most 1 JPS_Theta* finds shortest grid paths before
   const JpsThetaStar exact{.far_weight = 1, .near_weight = 0.5, .lines_of_sight = SightUse::never};
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
     const auto space = CellSpace::build(test::random_grid(random, 40)).value();
-    const auto place = [&] { return space.frame().point(test::random_cell(random, space.grid())); };
-    const Query query{.start = place(), .goal = place()};
+    const Query query = test::random_query(random, space);
     const auto shortest = AStar{}.search(space, query, grid_scratch, nobody);
     const auto route = exact.search(space, query, scratch, nobody);
     REQUIRE(route.has_value() == shortest.has_value());

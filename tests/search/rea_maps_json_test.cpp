@@ -5,11 +5,9 @@
 #include "support/catch.hpp"
 #include "support/free_route.hpp"
 #include "support/paper_maps.hpp"
-#include "tutavia/grid/safety_buffer.hpp"
 #include "tutavia/search/improved_rea_star.hpp"
 #include "tutavia/search/rea_star.hpp"
 #include "tutavia/search/sb_rea_star.hpp"
-#include "tutavia/space/cell_space.hpp"
 
 namespace {
 
@@ -21,17 +19,14 @@ TEST_CASE("rectangle expansion on the maps of its paper, safety buffer included"
   REQUIRE(maps.size() == shortest.size());
   for (std::size_t i = 0; i < maps.size(); ++i) {
     INFO("map " << maps[i].name);
-    const std::array ends{maps[i].start, maps[i].goal};
-    BufferedGrid buffered = with_safety_buffer(maps[i].grid, ends).value();
-    CHECK(buffered.exempted.empty());
-    const auto space = CellSpace::build(std::move(buffered.grid)).value();
-    const Query query{.start = space.frame().point(ends[0]), .goal = space.frame().point(ends[1])};
+    CHECK(maps[i].buffered().exempted.empty());
+    const test::PaperTask task = maps[i].task();
     NoObserver nobody;
     const auto check = [&](const auto& search) {
       typename std::decay_t<decltype(search)>::Scratch scratch;
-      const auto route = search.search(space, query, scratch, nobody);
+      const auto route = search.search(task.space, task.query, scratch, nobody);
       REQUIRE(route);
-      CHECK(test::is_free(space, *route));
+      CHECK(test::is_free(task.space, *route));
       CHECK(route->curve.length() <= 1.25 * shortest[i]);
       return route->cost;
     };

@@ -6,6 +6,7 @@
 
 #include "support/free_route.hpp"
 #include "support/random_grids.hpp"
+#include "support/random_query.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/dijkstra.hpp"
 #include "tutavia/space/cell_space.hpp"
@@ -29,8 +30,7 @@ TEST_CASE("REA* finds a path where there is one, no longer than the shortest on 
     INFO("seed " << seed << ", round " << round);
     const auto space =
         CellSpace::build(test::random_grid(random, round % 2 == 0 ? 12 : 60)).value();
-    const auto place = [&] { return space.frame().point(test::random_cell(random, space.grid())); };
-    const Query query{.start = place(), .goal = place()};
+    const Query query = test::random_query(random, space);
     const auto shortest = Dijkstra{}.search(space, query, reference, nobody);
     const auto route = ReaStar{}.search(space, query, scratch, nobody);
     REQUIRE(route.has_value() == shortest.has_value());

@@ -11,6 +11,7 @@
 #include "support/free_route.hpp"
 #include "support/moving_ai_maps.hpp"
 #include "support/random_grids.hpp"
+#include "support/random_query.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/dijkstra.hpp"
 #include "tutavia/search/improved_rea_star.hpp"
@@ -117,8 +118,7 @@ TEST_CASE("rectangles from both ends find a free path where there is one", "[soa
     INFO("seed " << seed << ", round " << round);
     const auto space =
         CellSpace::build(test::random_grid(random, round % 2 == 0 ? 12 : 60)).value();
-    const auto place = [&] { return space.frame().point(test::random_cell(random, space.grid())); };
-    const Query query{.start = place(), .goal = place()};
+    const Query query = test::random_query(random, space);
     const auto by_dijkstra = Dijkstra{}.search(space, query, reference, nobody);
     std::optional<double> shortest;
     if (by_dijkstra) shortest = by_dijkstra->cost;

@@ -7,6 +7,7 @@
 #include "support/free_route.hpp"
 #include "support/paper_maps.hpp"
 #include "support/random_grids.hpp"
+#include "support/random_query.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/ssa_astar.hpp"
@@ -34,8 +35,7 @@ TEST_CASE("SSA-A* keeps its bound on random grids and finds a path where there i
     const auto space =
         CellSpace::build(test::random_grid(random, 40), {.movement = test::all_rules[round % 4]})
             .value();
-    const auto place = [&] { return space.frame().point(test::random_cell(random, space.grid())); };
-    const Query query{.start = place(), .goal = place()};
+    const Query query = test::random_query(random, space);
     const SsaWeights w{random.uniform(0, 2), random.uniform(0, 2), random.uniform(0, 1)};
     const auto shortest = AStar{}.search(space, query, reference, nobody);
     const auto route = SsaAStar{w}.search(space, query, scratch, nobody);

@@ -30,11 +30,11 @@ struct MovingAiMap {
 };
 
 /// Calls `visit(map)` for every map of the folder, by name, with `count` rows of its scenario,
-/// evenly strided. Where there is no folder the test is reported as skipped.
+/// evenly strided. Returns false where there is no folder; the test is then reported as skipped.
 template <class Visit>
-void for_each_moving_ai_map(std::size_t count, Visit visit) {
+bool for_each_moving_ai_map(std::size_t count, Visit visit) {
   const char* folder = moving_ai_folder();
-  if (folder == nullptr) return;
+  if (folder == nullptr) return false;
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".map") paths.push_back(entry.path());
@@ -51,6 +51,7 @@ void for_each_moving_ai_map(std::size_t count, Visit visit) {
     }
     visit(map);
   }
+  return true;
 }
 
 }  // namespace tutavia::test

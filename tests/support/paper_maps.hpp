@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/grid/safety_buffer.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/space/cell_space.hpp"
 
@@ -64,6 +66,17 @@ struct ReaMap {
   std::string name;
   OccupancyGrid grid;
   Cell start, goal;
+
+  BufferedGrid buffered() const {
+    const std::array ends{start, goal};
+    return with_safety_buffer(grid, ends).value();
+  }
+  /// With the buffer, as the paper has it.
+  PaperTask task() const {
+    auto space = CellSpace::build(buffered().grid).value();
+    const Query query{.start = space.frame().point(start), .goal = space.frame().point(goal)};
+    return {std::move(space), query};
+  }
 };
 
 inline std::vector<ReaMap> rea_maps() {

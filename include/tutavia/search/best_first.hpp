@@ -12,6 +12,7 @@
 #include "tutavia/core/statistics.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/search/concepts.hpp"
+#include "tutavia/search/open_list.hpp"
 #include "tutavia/search/query_labels.hpp"
 
 /// \file
@@ -51,7 +52,7 @@ class BestFirstScratch {
     std::uint64_t sequence;
     NodeId node;
 
-    friend bool operator<(const Entry& a, const Entry& b) {  // for std::push_heap: worse < better
+    friend bool operator<(const Entry& a, const Entry& b) {  // worse < better
       if (a.f != b.f) return a.f > b.f;
       if (a.g != b.g) return a.g < b.g;
       return a.sequence > b.sequence;
@@ -73,16 +74,13 @@ class BestFirstScratch {
   /// Writes the label and puts the node into the open list.
   void push(NodeId node, NodeId parent, Cost g, Cost f) {
     labels_.set(node, {g, parent});
-    open_.push_back({f, g, sequence_++, node});
-    std::push_heap(open_.begin(), open_.end());
+    open_.push({f, g, sequence_++, node});
   }
 
   /// The best entry that is still current, or nothing when the open list is empty.
   std::optional<Entry> pop() {
     while (!open_.empty()) {
-      std::pop_heap(open_.begin(), open_.end());
-      const Entry entry = open_.back();
-      open_.pop_back();
+      const Entry entry = open_.pop();
       if (entry.g == labels_[entry.node].g) return entry;  // else a better one overtook it
     }
     return std::nullopt;
@@ -90,7 +88,7 @@ class BestFirstScratch {
 
  private:
   QueryLabels<Label> labels_;
-  std::vector<Entry> open_;
+  OpenList<Entry> open_;
   std::vector<Point> points_;
   std::uint64_t sequence_ = 0;
 };

@@ -82,6 +82,12 @@ void tell_of(O& observer, const S& space, const CellInterval& from, const CellRe
   }
 }
 
+/// Whether the cells of a run of row `y` are free. \pre they lie in the grid
+inline bool all_free(const OccupancyGrid& grid, int y, const CellRun& run) {
+  return detail::run_is_free(grid.words().data(), grid.index({run.first, y}),
+                             static_cast<std::uint32_t>(run.size()));
+}
+
 /// Grows rectangles in the free cells of a space, a run of cells at a time.
 class FreeRectangles {
  public:
@@ -91,9 +97,7 @@ class FreeRectangles {
   /// Whether the cells of a line are free; false for lines beyond the grid.
   bool is_free(int axis, int line, const CellRun& run) const {
     const OccupancyGrid& lines = of(axis);
-    return line >= 0 && line < lines.height() &&
-           detail::run_is_free(lines.words().data(), lines.index({run.first, line}),
-                               static_cast<std::uint32_t>(run.size()));
+    return line >= 0 && line < lines.height() && all_free(lines, line, run);
   }
 
   /// The largest free rectangle that grows from free cells: towards their side as far as that is

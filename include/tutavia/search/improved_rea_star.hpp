@@ -129,8 +129,7 @@ inline void append_pulled(const std::vector<Rail>& rails, std::size_t first, std
   }
   const auto path = pull_through(portals, point(rails[first].node()), point(rails[last].node()));
   for (auto p = path.rbegin(); p != path.rend(); ++p) {
-    const Cell cell{static_cast<int>(p->x()), static_cast<int>(p->y())};
-    if (cells.empty() || cells.back() != cell) append_cell(cells, cell);
+    append_cell(cells, {static_cast<int>(p->x()), static_cast<int>(p->y())});
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
 
 #include "tutavia/grid/stop_planes.hpp"
 #include "tutavia/search/jump_search.hpp"
@@ -73,9 +74,7 @@ struct Jps {
   template <JumpSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (space.movement() != MovementRule::no_cut) {
-      return fail(PlanError::invalid_option, "jps is defined for the movement rule no_cut");
-    }
+    if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
     const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
     return jump_search(space, query, scanner, scratch, observer);
   }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "tutavia/core/compiler.hpp"
 #include "tutavia/search/jump_search.hpp"
@@ -30,18 +31,14 @@ struct JpsPlus {
   template <GridSpace S>
   static Expected<std::shared_ptr<const JumpTable>, Failure> prepare(const S& space,
                                                                      unsigned threads = 1) {
-    if (space.movement() != MovementRule::no_cut) {
-      return fail(PlanError::invalid_option, "jps_plus is defined for the movement rule no_cut");
-    }
+    if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
     return std::make_shared<const JumpTable>(JumpTable::build(space.grid(), threads));
   }
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (space.movement() != MovementRule::no_cut) {
-      return fail(PlanError::invalid_option, "jps_plus is defined for the movement rule no_cut");
-    }
+    if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
     if (table == nullptr || table->width() != space.grid().width() ||
         table->height() != space.grid().height()) {
       return fail(PlanError::invalid_option, "jps_plus needs the table prepared for this grid");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tutavia/pull/remove_redundant.hpp"
@@ -47,10 +48,7 @@ struct JpsThetaStar {
                                                                          Scratch& scratch,
                                                                          O& observer)
   const {
-    if (space.movement() != MovementRule::no_cut) {
-      return fail(PlanError::invalid_option,
-                  "jps_theta_star is defined for the movement rule no_cut");
-    }
+    if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
     for (const double weight : {far_weight, near_weight}) {
       if (!(0 <= weight && weight <= 1e6)) {
         return fail(PlanError::invalid_option, "weights must lie between 0 and 10^6");

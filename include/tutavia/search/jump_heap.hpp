@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <vector>
 
 #include "tutavia/grid/movement.hpp"
+#include "tutavia/search/open_list.hpp"
 
 /// \file
 /// JumpHeap: an open list for keys that may fall.
@@ -22,7 +21,7 @@ class JumpHeap {
     std::uint32_t node;
     std::uint32_t note;  ///< the searcher's own
 
-    friend bool operator<(const Entry& a, const Entry& b) {  // for std::push_heap: worse < better
+    friend bool operator<(const Entry& a, const Entry& b) {  // worse < better
       return a.key != b.key ? a.key > b.key : a.sequence < b.sequence;
     }
   };
@@ -38,23 +37,17 @@ class JumpHeap {
   bool empty() const { return entries_.empty(); }
 
   void push(Cost key, std::uint32_t node, std::uint32_t note) {
-    entries_.push_back({key, sequence_++, node, note});
-    std::push_heap(entries_.begin(), entries_.end());
+    entries_.push({key, sequence_++, node, note});
   }
 
   /// The least key. \pre not empty
-  Cost advance() const { return entries_.front().key; }
+  Cost advance() const { return entries_.top().key; }
 
   /// Takes an entry with the least key. \pre not empty
-  Entry pop() {
-    std::pop_heap(entries_.begin(), entries_.end());
-    const Entry entry = entries_.back();
-    entries_.pop_back();
-    return entry;
-  }
+  Entry pop() { return entries_.pop(); }
 
  private:
-  std::vector<Entry> entries_;
+  OpenList<Entry> entries_;
   std::uint32_t sequence_ = 0;
 };
 

@@ -106,8 +106,9 @@ struct LinkedQuery {
 };
 
 /// Adds the next cell to a path of cells in which only turns are kept: a cell in line with the two
-/// before takes the place of the last.
+/// before takes the place of the last, and the last is not repeated.
 inline void append_cell(std::vector<Cell>& cells, Cell cell) {
+  if (!cells.empty() && cells.back() == cell) return;
   if (cells.size() >= 2) {
     const Cell a = cells[cells.size() - 2], b = cells.back();
     const auto sign = [](int v) { return (v > 0) - (v < 0); };

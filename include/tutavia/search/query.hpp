@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/error.hpp"
@@ -67,6 +68,16 @@ template <FreeSpace S>
 std::optional<Failure> check_query(const S& space, const Query& query) {
   if (auto failure = check_endpoint(space, query.start, true)) return failure;
   return check_endpoint(space, query.goal, false);
+}
+
+/// Why a search that is defined for the movement rule `no_cut` alone cannot be asked in `space`, if
+/// it cannot.
+template <GridSpace S>
+std::optional<Failure> check_no_cut(const S& space, std::string_view search) {
+  if (space.movement() == MovementRule::no_cut) return std::nullopt;
+  Failure failure{.code = PlanError::invalid_option, .detail = std::string(search)};
+  failure.detail += " is defined for the movement rule no_cut";
+  return failure;
 }
 
 namespace detail {

@@ -105,7 +105,7 @@ inline void append_corners(const std::vector<Rail>& rails, std::vector<Cell>& ce
       if (step <= to && leads_to(to - step)) to -= step;
     }
     from = to;
-    if (cells.back() != rails[from].node()) append_cell(cells, rails[from].node());
+    append_cell(cells, rails[from].node());
   }
 }
 

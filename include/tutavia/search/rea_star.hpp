@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tutavia/search/concepts.hpp"
@@ -15,6 +15,7 @@
 #include "tutavia/search/heuristic.hpp"
 #include "tutavia/search/linked_query.hpp"
 #include "tutavia/search/octile_reach.hpp"
+#include "tutavia/search/open_list.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/query_labels.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -43,14 +44,14 @@ class ReaScratch {
     std::uint64_t sequence;
     CellInterval interval;
     std::uint32_t expansion;                                 // that found it
-    friend bool operator<(const Entry& a, const Entry& b) {  // for std::push_heap: worse < better
+    friend bool operator<(const Entry& a, const Entry& b) {  // worse < better
       return a.key != b.key ? a.key > b.key : a.sequence > b.sequence;
     }
   };
 
   QueryLabels<Label> labels;
   std::vector<Expansion> expansions;
-  std::vector<Entry> open;
+  OpenList<Entry> open;
   OctileReach reach;
   std::vector<CellRun> exits;
   std::vector<Cell> cells;
@@ -104,9 +105,7 @@ class RectangleSearch {
       push({0, cell.y, cell.x, cell.x, 1}, cost + estimate_(cell), none);
     }
     while (!scratch_.open.empty()) {
-      std::pop_heap(scratch_.open.begin(), scratch_.open.end());
-      ReaScratch::Entry entry = scratch_.open.back();
-      scratch_.open.pop_back();
+      ReaScratch::Entry entry = scratch_.open.pop();
       if (entry.key >= best_) break;
       trim(entry.interval);
       if (entry.interval.first > entry.interval.last) continue;
@@ -129,15 +128,12 @@ class RectangleSearch {
     append_cell(cells, cell);
     for (std::uint32_t e = label(cell).expansion; e != none; e = label(cell).expansion) {
       const auto& [from, rectangle] = scratch_.expansions[e];
-      if (!rectangle.contains(cell)) {
+      const bool is_beyond = !rectangle.contains(cell);
+      if (is_beyond) {
         cell = last_inside(from, rectangle, cell);
         append_cell(cells, cell);
-        const Cell source = nearest(from, cell, true).first;
-        if (source == cell) continue;
-        cell = source;
-      } else {
-        cell = nearest(from, cell, false).first;
       }
+      cell = nearest(from, cell, is_beyond).first;
       append_cell(cells, cell);
     }
   }
@@ -188,8 +184,7 @@ class RectangleSearch {
 
   void push(const CellInterval& interval, Cost key, std::uint32_t expansion) {
     if (key >= best_) return;
-    scratch_.open.push_back({key, sequence_++, interval, expansion});
-    std::push_heap(scratch_.open.begin(), scratch_.open.end());
+    scratch_.open.push({key, sequence_++, interval, expansion});
     ++stats_.generated;
     observer_.generated(place(interval.middle()));
   }
@@ -293,9 +288,7 @@ class RectangleSearch {
 template <GridSpace S, Observer O>
 Expected<Route, Failure> ReaStar::search(const S& space, const Query& query, Scratch& scratch,
                                          O& observer) const {
-  if (space.movement() != MovementRule::no_cut) {
-    return fail(PlanError::invalid_option, "rea_star is defined for the movement rule no_cut");
-  }
+  if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
   std::optional<Cost> paid;
   auto route = search_grid(space, query, scratch.cells,
                            [&](const LinkedQuery& linked, std::vector<Cell>& cells,

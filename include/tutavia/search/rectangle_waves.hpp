@@ -7,14 +7,15 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "tutavia/search/cell_set.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/free_rectangle.hpp"
 #include "tutavia/search/linked_query.hpp"
+#include "tutavia/search/open_list.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/rails.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -42,15 +43,15 @@ struct RectangleWave {
   struct Entry {
     double key;
     std::uint32_t passage;
-    friend bool operator<(const Entry& a, const Entry& b) {  // for std::push_heap: worse < better
+    friend bool operator<(const Entry& a, const Entry& b) {  // worse < better
       return a.key != b.key ? a.key > b.key : a.passage > b.passage;
     }
   };
 
   std::vector<Passage> passages;
   std::vector<std::uint32_t> expanded;
-  std::vector<Entry> open;
-  OccupancyGrid marked, covered;       // cells of passages, cells of rectangles
+  OpenList<Entry> open;
+  CellSet marked, covered;             // cells of passages, cells of rectangles
   std::vector<std::uint32_t> markers;  // of the cells that are marked: a passage that holds it
   Evaluation evaluation;
 };
@@ -155,27 +156,15 @@ class RectangleWaves {
   bool met() const { return best_.length < std::numeric_limits<double>::max(); }
   Point place(Cell cell) const { return space_.frame().point(cell); }
 
-  /// An empty set of cells of the space's size.
-  void clear(OccupancyGrid& cells) const {
-    const OccupancyGrid& grid = space_.grid();
-    if (cells.width() != grid.width() || cells.height() != grid.height()) {
-      cells = OccupancyGrid::blocked(grid.width(), grid.height(),
-                                     std::numeric_limits<std::int64_t>::max())
-                  .value();
-    }
-    for (int y = 0; y < cells.height(); ++y) cells.set_run(y, 0, cells.width() - 1, false);
-  }
-
   void begin(Wave& wave, const LinkedQuery& there) {
     wave.passages.clear();
     wave.expanded.clear();
     wave.open.clear();
-    clear(wave.marked);
-    clear(wave.covered);
-    if (wave.markers.size() < space_.grid().index_count()) {
-      wave.markers.resize(space_.grid().index_count());
-    }
-    wave.evaluation.begin(there.goal_cell, there.goal_offset, space_.grid());
+    const OccupancyGrid& grid = space_.grid();
+    wave.marked.begin(grid);
+    wave.covered.begin(grid);
+    if (wave.markers.size() < grid.index_count()) wave.markers.resize(grid.index_count());
+    wave.evaluation.begin(there.goal_cell, there.goal_offset, grid);
     for (const auto& [cell, cost] : there.starts) {
       Passage root{.cells = {0, cell.y, cell.x, cell.x, 1}, .parent = next(wave)};
       const double key = wave.evaluation.root(root, cost);
@@ -190,31 +179,15 @@ class RectangleWaves {
   void push(Wave& wave, const Passage& passage, double key) {
     const CellInterval& cells = passage.cells;
     for (int u = cells.first; u <= cells.last; ++u) {
-      wave.marked.set(cells.cell(u), true);
-      wave.markers[wave.marked.index(cells.cell(u))] = next(wave);
+      wave.marked.add(cells.cell(u));
+      wave.markers[space_.grid().index(cells.cell(u))] = next(wave);
     }
-    wave.open.push_back({key, next(wave)});
-    std::push_heap(wave.open.begin(), wave.open.end());
+    wave.open.push({key, next(wave)});
     wave.passages.push_back(passage);
     ++stats_.generated;
     observer_.generated(place(cells.middle()));
   }
 
-  /// Whether all cells of an interval are in a set.
-  static bool are_in(const OccupancyGrid& set, const CellInterval& cells) {
-    if (cells.axis == 0) return set.run_end(cells.line, cells.first, true) > cells.last;
-    int y = cells.first;
-    while (y <= cells.last && set.is_free(Cell{cells.line, y})) ++y;
-    return y > cells.last;
-  }
-  /// Whether any cell of a rectangle is in a set.
-  static bool meets(const OccupancyGrid& set, const CellRectangle& r) {
-    const CellRun &columns = r.runs[0], &rows = r.runs[1];
-    for (int y = rows.first; y <= rows.last; ++y) {
-      if (set.run_end(y, columns.first, false) <= columns.last) return true;
-    }
-    return false;
-  }
   static bool is_root(const Wave& wave, std::uint32_t passage) {
     return wave.passages[passage].parent == passage;
   }
@@ -222,12 +195,10 @@ class RectangleWaves {
   /// The passage with the smallest key, of those that lead to cells that no rectangle of the wave
   /// holds, if that key is below the length of the best path.
   std::optional<std::uint32_t> pop(Wave& wave) {
-    while (!wave.open.empty() && wave.open.front().key < best_.length) {
-      const std::uint32_t passage = wave.open.front().passage;
-      std::pop_heap(wave.open.begin(), wave.open.end());
-      wave.open.pop_back();
+    while (!wave.open.empty() && wave.open.top().key < best_.length) {
+      const std::uint32_t passage = wave.open.pop().passage;
       const CellInterval& cells = wave.passages[passage].cells;
-      if (is_root(wave, passage) || !are_in(wave.covered, cells.beyond())) return passage;
+      if (is_root(wave, passage) || !wave.covered.holds(cells.beyond())) return passage;
     }
     return std::nullopt;
   }
@@ -243,19 +214,14 @@ class RectangleWaves {
     tell_of(observer_, space_, cells, r);
     wave.passages[from].rectangle = r;
     wave.expanded.push_back(from);
-    for (int y = r.runs[1].first; y <= r.runs[1].last; ++y) {
-      wave.covered.set_run(y, r.runs[0].first, r.runs[0].last, true);
-    }
+    wave.covered.add(r);
     wave.evaluation.expand(wave.passages[from]);
-    for (int y = r.runs[1].first; y <= r.runs[1].last; ++y) {
-      const auto next_marked = [&](int x) { return other.marked.run_end(y, x, false); };
-      for (int x = next_marked(r.runs[0].first); x <= r.runs[0].last; x = next_marked(x + 1)) {
-        const std::uint32_t passage = other.markers[other.marked.index({x, y})];
-        if (std::exchange(other.passages[passage].asked, stats_.expanded) != stats_.expanded) {
-          consider(turn, from, passage);
-        }
+    other.marked.for_each_in(r, [&](Cell cell) {
+      const std::uint32_t passage = other.markers[space_.grid().index(cell)];
+      if (std::exchange(other.passages[passage].asked, stats_.expanded) != stats_.expanded) {
+        consider(turn, from, passage);
       }
-    }
+    });
     const std::uint32_t old = next(wave);
     for (const int side : {1, -1}) {
       for (const int axis : {cells.axis, 1 - cells.axis}) {
@@ -273,16 +239,14 @@ class RectangleWaves {
       }
     }
     for (std::uint32_t p = old; p < wave.passages.size() && !had_met; ++p) {
-      if (!touches(other.covered, wave.passages[p].cells)) continue;
-      for (const std::uint32_t entry : other.expanded) consider(1 - turn, entry, p);
+      if (!other.covered.meets(wave.passages[p].cells)) continue;
+      for (const std::uint32_t entry : other.expanded) {
+        const Passage& grown = other.passages[entry];
+        if (grown.rectangle.clip(wave.passages[p].cells).run().size() <= 0) continue;
+        other.evaluation.expand(grown);
+        consider(1 - turn, entry, p);
+      }
     }
-  }
-
-  static bool touches(const OccupancyGrid& set, const CellInterval& cells) {
-    CellRectangle r;
-    r.runs[static_cast<std::size_t>(cells.axis)] = cells.run();
-    r.runs[static_cast<std::size_t>(1 - cells.axis)] = {cells.line, cells.line};
-    return meets(set, r);
   }
 
   /// Adds the passages out of a rectangle over an edge of it.
@@ -297,7 +261,7 @@ class RectangleWaves {
     bool reached = false;
     for (const auto& [first, last] : scratch_.exits) {
       const CellInterval cells{edge.axis, edge.line, first, last, edge.side};
-      if (are_in(wave.covered, cells.beyond())) continue;
+      if (wave.covered.holds(cells.beyond())) continue;
       if (!std::exchange(reached, true)) wave.evaluation.reach(asked);
       Passage passage{.cells = cells, .parent = from};
       const double key = wave.evaluation.enter(passage, wave.passages[from]);
@@ -305,15 +269,13 @@ class RectangleWaves {
     }
   }
 
-  /// Looks for a better path through the rectangle that grew from a passage of one wave and a
-  /// passage of the other wave.
+  /// Looks for a better path through the rectangle that grew from a passage of one wave, expanded
+  /// last, and a passage of the other wave with cells in it.
   void consider(std::size_t turn, std::uint32_t entry, std::uint32_t passage) {
     Wave& mine = scratch_.waves[turn];
     const Wave& other = scratch_.waves[1 - turn];
     const Passage &from = mine.passages[entry], &to = other.passages[passage];
     const CellInterval joint = from.rectangle.clip(to.cells);
-    if (joint.first > joint.last) return;
-    mine.evaluation.expand(from);
     const auto [length, cell] = mine.evaluation.meet(from, other.evaluation, to, joint);
     if (length < best_.length) best_ = {length, cell, joint, turn, entry, passage};
   }
@@ -335,10 +297,7 @@ Expected<Route, Failure> rectangle_waves(const S& space, const Query& query,
                                          RectangleWavesScratch<Evaluation>& scratch, O& observer,
                                          std::string_view name, bool continue_after_contact,
                                          LayPath lay_path) {
-  if (space.movement() != MovementRule::no_cut) {
-    return fail(PlanError::invalid_option,
-                std::string(name) + " is defined for the movement rule no_cut");
-  }
+  if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
   return search_grid(space, query, scratch.cells,
                      [&](const LinkedQuery& linked, std::vector<Cell>& cells,
                          Statistics& stats) -> std::optional<Failure> {

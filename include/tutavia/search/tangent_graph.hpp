@@ -17,6 +17,7 @@
 #include "tutavia/geometry/bitangent.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/search/concepts.hpp"
+#include "tutavia/search/open_list.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/search/tangent_map.hpp"
@@ -34,7 +35,7 @@ class TangentScratch {
     double key;
     std::uint32_t sequence, parent, node;
     bool is_proved;                                          // the way, not the arc before it
-    friend bool operator<(const Entry& a, const Entry& b) {  // for std::push_heap: worse < better
+    friend bool operator<(const Entry& a, const Entry& b) {  // worse < better
       return a.key != b.key ? a.key > b.key : a.sequence > b.sequence;
     }
   };
@@ -46,7 +47,7 @@ class TangentScratch {
     double turn;  // around the circle before
   };
 
-  std::vector<Entry> open;
+  OpenList<Entry> open;
   std::vector<Arrival> arrivals;
   std::vector<std::uint32_t> first;  // arrival of each node
 };
@@ -120,9 +121,7 @@ class TangentSearch {
       if (is_checked(query_.budget, stats_.expanded, 16)) {
         if (auto failure = exceeded(query_.budget, stats_.expanded)) return failure;
       }
-      std::pop_heap(scratch_.open.begin(), scratch_.open.end());
-      const TangentScratch::Entry entry = scratch_.open.back();
-      scratch_.open.pop_back();
+      const TangentScratch::Entry entry = scratch_.open.pop();
       if (!arrive(entry)) continue;
       if (entry.node == goal_node()) return std::nullopt;
       expand(static_cast<std::uint32_t>(scratch_.arrivals.size() - 1));
@@ -216,8 +215,7 @@ class TangentSearch {
     if (!next) return;
     const double key = next->cost + distance(next->way.to, query_.goal);
     if (key > bound_) return;
-    scratch_.open.push_back({key, sequence_++, index, node, is_proved});
-    std::push_heap(scratch_.open.begin(), scratch_.open.end());
+    scratch_.open.push({key, sequence_++, index, node, is_proved});
     ++stats_.generated;
     observer_.generated(next->way.to);
   }
