@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Includes everything, as unit_one.cpp does: what is not inline would be defined twice.
+/// Includes everything, as unit_one.cpp does: what is not inline would be defined twice. The library
+/// does without Boost.
 
 #include "tutavia/io/plan_json.hpp"
 #include "tutavia/io/workspace_json.hpp"
 #include "tutavia/registry.hpp"
 #include "tutavia/tutavia.hpp"
+
+#if defined(BOOST_CONFIG_HPP) || defined(BOOST_VERSION) || defined(BOOST_VERSION_HPP)
+#error "a header of the library includes Boost"
+#endif
 
 namespace tutavia::test {
 std::size_t searches_in_unit_two() { return all_searches<LatticeSpace>().size(); }

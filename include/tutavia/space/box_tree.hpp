@@ -1,59 +1,183 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "tutavia/geometry/box.hpp"
-#include "tutavia/space/boost_rtree.hpp"
 
 /// \file
 /// BoxTree: which boxes meet a box.
 
 namespace tutavia {
 
-/// An immutable R-tree over numbered boxes (Boost.Geometry, bulk-loaded): a query costs O(log n +
-/// k) for n boxes and k answers.
+/// An immutable, packed R-tree over numbered boxes: a query costs O(log n + k) for n boxes and k
+/// answers, building O(n log n).
+///
+/// Boxes are split into halves along the longer side of their centres' extent until eight are left
+/// (top-down bulk loading, Lee and Lee 2003, "OMT"). Parts are whole powers of eight, so every node
+/// but the last of a level is full and a child's place follows from its parent's: there are no
+/// pointers.
+///
+/// A node holds the boxes of its eight children in single precision, relative to the extent of all
+/// boxes. That rounding is monotone, so boxes that meet still do, and a few that do not may seem
+/// to: answers are candidates.
 class BoxTree {
  public:
   using Entry = std::pair<Box, std::uint32_t>;
 
   BoxTree() = default;
-  explicit BoxTree(const std::vector<Entry>& entries) : tree_(packed(entries)) {}
+  /// \pre the boxes are finite and not empty
+  explicit BoxTree(std::vector<Entry> entries) {
+    if (entries.empty()) return;
+    Box extent;
+    for (const Entry& entry : entries) {
+      extent.include(entry.first.min);
+      extent.include(entry.first.max);
+    }
+    origin_ = centre(extent);
+    const double size = std::fmax(extent.max.x() - origin_.x(), extent.max.y() - origin_.y());
+    if (size > 0x1p-1000) scale_ = 1 / size;
+    sort(entries, 0, entries.size());
+    std::vector<RoundedBox> boxes;
+    for (const Entry& entry : entries) {
+      boxes.push_back(rounded(entry.first));
+      numbers_.push_back(entry.second);
+    }
+    while (!boxes.empty()) boxes = add_level(boxes);
+  }
 
-  /// Calls `visit(number)` for every box that meets `box`, touching included.
-  ///
-  /// The tree's query is instantiated once, for a plain function, because every further one costs
-  /// the user's compiler a tenth of a second.
+  /// Calls `visit(number)` for every box that meets `box`, touching included, and perhaps for boxes
+  /// within a millionth of the extent of all boxes of it.
   template <class Visit>
   void for_each_in(const Box& box, Visit visit) const {
-    query(box, &visit,
-          [](void* context, std::uint32_t number) { (*static_cast<Visit*>(context))(number); });
+    if (nodes_.empty()) return;
+    const RoundedBox target = rounded(box);
+    // The children of a node that are still to be looked at, for each level from the root's down.
+    struct Open {
+      std::uint32_t node;
+      std::uint32_t children;  // one bit each
+    };
+    std::array<Open, max_levels> open;
+    std::size_t level = levels_.size() - 1;
+    open[level] = {0, nodes_[levels_[level]].meets(target)};
+    while (true) {
+      if (open[level].children == 0) {
+        if (++level == levels_.size()) return;
+        continue;
+      }
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(open[level].children));
+      open[level].children &= open[level].children - 1;
+      const std::uint32_t child = fan_out * open[level].node + k;
+      if (level == 0) {
+        visit(numbers_[child]);
+      } else {
+        --level;
+        open[level] = {child, nodes_[levels_[level] + child].meets(target)};
+      }
+    }
   }
 
  private:
-  using TreePoint = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
-  using TreeBox = boost::geometry::model::box<TreePoint>;
-  using TreeEntry = std::pair<TreeBox, std::uint32_t>;
-  using Tree = boost::geometry::index::rtree<TreeEntry, boost::geometry::index::linear<8>>;
+  static constexpr std::uint32_t fan_out = 8;
+  static constexpr std::size_t max_levels = 11;  // 8^11 > 2^32
 
-  static TreeBox tree_box(const Box& box) {
-    return {{box.min.x(), box.min.y()}, {box.max.x(), box.max.y()}};
-  }
-  static Tree packed(const std::vector<Entry>& entries) {
-    std::vector<TreeEntry> converted;
-    converted.reserve(entries.size());
-    for (const auto& [box, number] : entries) converted.emplace_back(tree_box(box), number);
-    return {converted.begin(), converted.end()};
-  }
-  void query(const Box& box, void* context, void (*visit)(void*, std::uint32_t)) const {
-    tree_.query(boost::geometry::index::intersects(tree_box(box)),
-                boost::make_function_output_iterator(
-                    [context, visit](const TreeEntry& entry) { visit(context, entry.second); }));
+  struct RoundedBox {
+    float min_x, min_y, max_x, max_y;
+  };
+
+  /// Eight boxes, side by side for comparisons four at a time (vectors of g++ and clang).
+  class Node {
+   public:
+    void set(std::size_t k, const RoundedBox& box) {
+      min_x_[k / 4][k % 4] = box.min_x, min_y_[k / 4][k % 4] = box.min_y;
+      max_x_[k / 4][k % 4] = box.max_x, max_y_[k / 4][k % 4] = box.max_y;
+    }
+    /// Which of the boxes meet a box, one bit each.
+    std::uint32_t meets(const RoundedBox& box) const {
+      const Masks bits =
+          (meets(0, box) & Masks{1, 2, 4, 8}) | (meets(1, box) & Masks{16, 32, 64, 128});
+      return static_cast<std::uint32_t>(bits[0] | bits[1] | bits[2] | bits[3]);
+    }
+
+   private:
+    using Floats = float __attribute__((vector_size(16)));
+    using Masks = std::int32_t __attribute__((vector_size(16)));  // all bits or none
+
+    Masks meets(std::size_t half, const RoundedBox& box) const {
+      return (min_x_[half] <= box.max_x) & (max_x_[half] >= box.min_x) &
+             (min_y_[half] <= box.max_y) & (max_y_[half] >= box.min_y);
+    }
+
+    // Empty boxes, which meet nothing.
+    static constexpr float none = std::numeric_limits<float>::infinity();
+    static constexpr Floats nowhere{none, none, none, none};
+    std::array<Floats, 2> min_x_{nowhere, nowhere}, min_y_{nowhere, nowhere};
+    std::array<Floats, 2> max_x_{-nowhere, -nowhere}, max_y_{-nowhere, -nowhere};
+  };
+
+  RoundedBox rounded(const Box& box) const {
+    const auto relative = [this](const Point& p, int axis) {
+      const double x = (p[axis] - origin_[axis]) * scale_;  // boxes of the tree: in [-1, 1]
+      return static_cast<float>(x < -2 ? -2 : x > 2 ? 2 : x);
+    };
+    return {relative(box.min, 0), relative(box.min, 1), relative(box.max, 0), relative(box.max, 1)};
   }
 
-  Tree tree_;
+  /// Orders entries so that every run of a power of eight, counted from the first, lies together.
+  static void sort(std::vector<Entry>& entries, std::size_t first, std::size_t last) {
+    const std::size_t count = last - first;
+    const auto at = [&](std::size_t i) { return entries.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (count <= fan_out) {  // the order in which the boxes were given
+      std::sort(at(first), at(last), [](auto& a, auto& b) { return a.second < b.second; });
+      return;
+    }
+    std::size_t part = fan_out;
+    while (part * fan_out < count) part *= fan_out;
+    Box centres;
+    for (std::size_t i = first; i < last; ++i) centres.include(centre(entries[i].first));
+    const int axis = centres.width() >= centres.height() ? 0 : 1;
+    const std::size_t middle = first + (count + part - 1) / part / 2 * part;
+    std::nth_element(at(first), at(middle), at(last), [axis](const Entry& a, const Entry& b) {
+      const double x = centre(a.first)[axis], y = centre(b.first)[axis];
+      return x != y ? x < y : a.second < b.second;
+    });
+    sort(entries, first, middle);
+    sort(entries, middle, last);
+  }
+  static Point centre(const Box& box) {
+    return {0.5 * box.min.x() + 0.5 * box.max.x(), 0.5 * box.min.y() + 0.5 * box.max.y()};
+  }
+
+  /// Adds nodes above `boxes` and returns their boxes, or none if it was the root.
+  std::vector<RoundedBox> add_level(const std::vector<RoundedBox>& boxes) {
+    levels_.push_back(nodes_.size());
+    nodes_.resize(nodes_.size() + (boxes.size() + fan_out - 1) / fan_out);
+    std::vector<RoundedBox> parents;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const RoundedBox& box = boxes[i];
+      nodes_[levels_.back() + i / fan_out].set(i % fan_out, box);
+      if (i % fan_out == 0) parents.push_back(box);
+      RoundedBox& parent = parents.back();
+      parent = {std::min(parent.min_x, box.min_x), std::min(parent.min_y, box.min_y),
+                std::max(parent.max_x, box.max_x), std::max(parent.max_y, box.max_y)};
+    }
+    if (parents.size() == 1) parents.clear();
+    return parents;
+  }
+
+  Point origin_ = Point::Zero();
+  double scale_ = 1;
+  std::vector<Node> nodes_;             // level by level, leaves first
+  std::vector<std::size_t> levels_;     // where each level begins
+  std::vector<std::uint32_t> numbers_;  // of the boxes, in the order of the leaves' children
 };
 
 }  // namespace tutavia

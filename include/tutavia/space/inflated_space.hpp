@@ -151,8 +151,8 @@ inline InflatedSpace::InflatedSpace(Workspace workspace)
       may_touch_.push_back(simple ? Touch::inside_only : Touch::blocks);
     }
   }
-  edges_ = BoxTree(edges);
-  areas_ = BoxTree(areas);
+  edges_ = BoxTree(std::move(edges));
+  areas_ = BoxTree(std::move(areas));
 }
 
 inline void InflatedSpace::add_ring(const Ring& ring, std::uint32_t obstacle, bool is_hole,
