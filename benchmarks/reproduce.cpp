@@ -17,7 +17,6 @@
 
 #include "program.hpp"
 #include "support/paper_maps.hpp"
-#include "tutavia/grid/safety_buffer.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/registry.hpp"
 
@@ -50,12 +49,14 @@ std::vector<Figures> measure_all(const std::vector<Contender>& contenders,
                                  std::span<const test::PaperTask> tasks, std::size_t rounds) {
   std::vector<Figures> all(contenders.size());
   const auto count = static_cast<double>(tasks.size());
+  std::vector<AnyScratch> scratch(contenders.size());
+  NoObserver nobody;
   for (const test::PaperTask& task : tasks) {
     std::vector<double> least(contenders.size(), std::numeric_limits<double>::infinity());
     for (std::size_t round = 0; round < rounds; ++round) {
       for (std::size_t i = 0; i < contenders.size(); ++i) {
         const auto begin = bench::Clock::now();
-        const auto route = contenders[i].search.run(task.space, task.query, nullptr);
+        const auto route = contenders[i].search.search(task.space, task.query, scratch[i], nobody);
         least[i] = std::min(least[i], bench::micros_since(begin));
         if (!route) throw bench::UsageError{contenders[i].name + ": " + route.error().detail};
         if (round > 0) continue;
@@ -146,12 +147,7 @@ void print_rea(const Arguments& args, std::string& csv) {
       "Improved REA*, table 2; in brackets what was published, of other maps of the kind\n");
   const auto maps = test::rea_maps();
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    const std::array ends{maps[i].start, maps[i].goal};
-    auto buffered = bench::value_or_throw(with_safety_buffer(maps[i].grid, ends));
-    const auto space = bench::value_or_throw(CellSpace::build(std::move(buffered.grid)));
-    const Frame& frame = space.frame();
-    const test::PaperTask task{space,
-                               {.start = frame.point(ends[0]), .goal = frame.point(ends[1])}};
+    const test::PaperTask task = maps[i].task();
     const auto& paper = published[i];
     const std::vector<Contender> contenders{
         contender("A*", AStar{}, paper[0]),

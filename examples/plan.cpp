@@ -59,6 +59,8 @@ struct Result {
   ResultHeader header;
   Expected<Plan, Failure> plan;
   SearchRecord record{};  ///< what the search grew, where it is to be drawn
+  /// Length of the shortest path there is, on workspaces, for tables and files that show it.
+  std::optional<double> optimum{};
 };
 
 /// What one search with one smoother made of every goal.
@@ -360,21 +362,25 @@ Group run(const S& space, const Scene& scene, const Arguments& args, TraceFile& 
   const bool is_drawn = !args.svg.empty() && !args.compare;
   const bool is_traced = trace.takes(search.name);
   SearchRecord record{.keeps_nodes = is_traced};
-  AnySearch<S> recorded = search;
-  if (is_drawn || is_traced) recorded.record = &record;
-  Planner planner(recorded, smoother);
-  // On workspaces results say how much longer they are than the shortest path.
-  if constexpr (requires { space.workspace(); }) {
-    planner.report_optimum(args.compare || !args.json.empty());
-  }
+  Planner planner(search, smoother);
+  const bool wants_all_figures = args.compare || !args.json.empty();
   Group results;
   for (const Point& goal : scene.goals) {
     Query query{.start = scene.start, .goal = goal, .seed = args.seed};
     if (args.time_limit) query.budget = Budget::for_seconds(*args.time_limit);
-    results.push_back({{std::string(search.name), smoother.name, scene.start, goal,
-                        scene.workspace.safety_radius},
-                       planner.plan(space, query)});
-    const Result& result = results.back();
+    results.push_back(
+        {{std::string(search.name), smoother.name, scene.start, goal,
+          scene.workspace.safety_radius},
+         is_drawn || is_traced ? planner.plan(space, query, record) : planner.plan(space, query)});
+    Result& result = results.back();
+    if (result.plan && wants_all_figures) {
+      result.plan->metrics.mean_clearance = mean_clearance(space, result.plan->curve);
+      // On workspaces results say how much longer they are than the shortest path.
+      if constexpr (requires { space.workspace(); }) {
+        const auto optimum = find_optimum(space, query, result.plan->metrics.length);
+        if (optimum) result.optimum = *optimum;
+      }
+    }
     if (is_traced) {
       trace.write(result.header, result.plan ? "success" : to_string(result.plan.error().code),
                   record);
@@ -476,7 +482,7 @@ Summary summary_of(const Group& group) {
     sum.max_curvature = std::max(sum.max_curvature, m.max_curvature);
     sum.max_joint_deflection = std::max(sum.max_joint_deflection, m.max_joint_deflection);
     sum.min_clearance = std::min(sum.min_clearance, m.min_clearance);
-    sum.mean_clearance += m.mean_clearance;
+    sum.mean_clearance += m.mean_clearance.value_or(std::numeric_limits<double>::quiet_NaN());
     sum.search_us += s.search_us;
     sum.smooth_us += s.smooth_us;
     sum.certify_us += s.certify_us;
@@ -486,9 +492,9 @@ Summary summary_of(const Group& group) {
     sum.evaluations += result.plan->certificate.evaluations;
     sum.fell_back += result.plan->fell_back ? 1 : 0;
     sum.expanded += s.expanded;
-    if (result.plan->optimum) {
+    if (result.optimum) {
       ++sum.with_optimum;
-      sum.optimum += result.plan->optimum->length;
+      sum.optimum += *result.optimum;
     }
   }
   if (sum.planned > 0) sum.mean_clearance /= static_cast<double>(sum.planned);
@@ -576,7 +582,7 @@ void write_results(const std::string& path, const std::vector<Group>& groups) {
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   for (const Group& group : groups) {
     for (const Result& result : group) {
-      results.push_back(result.plan ? result_to_json(result.header, *result.plan)
+      results.push_back(result.plan ? result_to_json(result.header, *result.plan, result.optimum)
                                     : result_to_json(result.header, result.plan.error()));
     }
   }

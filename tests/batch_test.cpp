@@ -8,13 +8,19 @@
 
 #include "support/catch.hpp"
 #include "support/random_grids.hpp"
+#include "support/random_query.hpp"
 #include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/pull/shortcut.hpp"
+#include "tutavia/registry.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/dijkstra.hpp"
 #include "tutavia/search/jps.hpp"
+#include "tutavia/search/weighted_astar.hpp"
+#include "tutavia/smooth/delta_smoother.hpp"
 #include "tutavia/space/cell_space.hpp"
+#include "tutavia/space/lattice_space.hpp"
+#include "tutavia/world/maps.hpp"
 
 namespace {
 
@@ -27,8 +33,7 @@ TEST_CASE("a batch gives the same plans on any number of threads") {
   const auto space = CellSpace::build(test::random_grid(random, 60)).value();
   std::vector<Query> queries;
   for (std::size_t i = 0; i < test::scaled(100); ++i) {
-    queries.push_back({.start = space.frame().point(test::random_cell(random, space.grid())),
-                       .goal = space.frame().point(test::random_cell(random, space.grid()))});
+    queries.push_back(test::random_query(random, space));
   }
   const Planner planner(Jps{}, Shortcut{});
   const auto expected = plan_batch(planner, space, queries, 1);
@@ -49,6 +54,53 @@ TEST_CASE("a batch gives the same plans on any number of threads") {
     }
   }
   CHECK(plan_batch(planner, space, std::vector<Query>{}, 4).empty());
+}
+
+TEST_CASE("searches by name give the same plans on any number of threads") {
+  const std::uint64_t seed = 1;
+  Random random(seed);
+  INFO("seed " << seed);
+  auto grid = OccupancyGrid::blocked(300, 300).value();
+  for (int y = 0; y < 300; ++y) {
+    for (int x = 0; x < 300; ++x) grid.set({x, y}, random.uniform() < 0.75);
+  }
+  const auto space = CellSpace::build(std::move(grid)).value();
+  std::vector<Query> queries;
+  for (std::size_t i = 0; i < test::scaled(200); ++i) {
+    queries.push_back(test::random_query(random, space));
+  }
+  const auto jps_plus = erase_jps_plus<CellSpace>();  // its table is prepared by the first to ask
+  for (const auto& search : {erase_search<CellSpace>(AStar{}), jps_plus}) {
+    INFO(search.name);
+    const Planner planner(search);
+    const auto two = plan_batch(planner, space, queries, 2);
+    const auto one = plan_batch(planner, space, queries, 1);
+    std::size_t planned = 0;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      REQUIRE(one[i].has_value() == two[i].has_value());
+      if (!one[i]) continue;
+      ++planned;
+      CHECK(test::same_curve(one[i]->curve, two[i]->curve));
+    }
+    CHECK(planned * 3 > queries.size());
+  }
+}
+
+TEST_CASE("a batch keeps every option of its planner") {
+  const Scene scene = maps::array();
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
+  Planner planner(WeightedAStar{.weight = 3}, DeltaSmoother{.join = DeltaSmoother::Join::tangent});
+  std::vector<Query> queries;
+  for (const Point& goal : scene.goals) queries.push_back({.start = scene.start, .goal = goal});
+  const auto plans = plan_batch(planner, space, queries, 2);
+  bool differs = false;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const auto alone = planner.plan(space, queries[i]);
+    CHECK(test::same_curve(plans[i].value().curve, alone->curve));
+    const auto other = Planner{WeightedAStar{}, DeltaSmoother{}}.plan(space, queries[i]);
+    differs = differs || !test::same_curve(alone->curve, other->curve);
+  }
+  CHECK(differs);  // the options matter
 }
 
 TEST_CASE("a search on a large map stops soon after it is cancelled or out of time") {

@@ -111,7 +111,7 @@ TEST_CASE("a plan carries metrics, statistics and the seed") {
   const Plan plan = planner.plan(space(), query).value();
   CHECK(plan.metrics.length == plan.curve.length());
   CHECK(plan.metrics.min_clearance == plan.certificate.lower);
-  CHECK(plan.metrics.mean_clearance > plan.metrics.min_clearance);
+  CHECK_FALSE(plan.metrics.mean_clearance);  // costs more than the search: only where asked for
   CHECK(plan.stats.expanded > 0);
   CHECK(plan.stats.search_us > 0);
   CHECK(plan.stats.certify_us > 0);
@@ -175,27 +175,6 @@ TEST_CASE("three searches and three smoothers plan all built-in tasks, 108 prove
   CHECK(plan_with_all_smoothers(AStar{}) + plan_with_all_smoothers(Jps{}) +
             plan_with_all_smoothers(ThetaStar{}) ==
         108);
-}
-
-TEST_CASE("plans carry the optimum where it is asked for") {
-  Planner planner{AStar{}, BSplineSmoother{}};
-  CHECK_FALSE(planner.plan(space(), query)->optimum);
-  planner.report_optimum(true);
-  const auto plan = planner.plan(space(), query);
-  REQUIRE(plan);
-  REQUIRE(plan->optimum);
-  TangentGraph::Scratch scratch;
-  NoObserver nobody;
-  const auto shortest = TangentGraph{}.search(space(), query, scratch, nobody);
-  CHECK(plan->optimum->length == Approx(shortest->cost).epsilon(1e-12));
-  CHECK(plan->optimum->ratio == Approx(plan->metrics.length / shortest->cost));
-  CHECK(plan->optimum->ratio > 1);
-  // The shortest path itself is found within its own length.
-  Planner<TangentGraph> exact;
-  const auto best = exact.report_optimum(true).plan(space(), query);
-  REQUIRE(best->optimum);
-  CHECK(best->optimum->ratio == Approx(1).epsilon(1e-12));
-  CHECK_FALSE(exact.report_optimum(false).plan(space(), query)->optimum);
 }
 
 }  // namespace

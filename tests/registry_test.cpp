@@ -44,7 +44,8 @@ TEST_CASE("algorithms chosen by name give what the algorithms themselves give") 
   for (const auto& search : searches) {
     INFO(search.name);
     SearchRecord record;
-    const auto route = search.run(space, query, &record);
+    AnySearch<LatticeSpace>::Scratch scratch;
+    const auto route = search.search(space, query, scratch, record);
     REQUIRE(route);
     const bool is_tree = search.name.find("rrt") != std::string_view::npos;
     // Trees count tries, of which those that fail add no node.
@@ -55,6 +56,24 @@ TEST_CASE("algorithms chosen by name give what the algorithms themselves give") 
     const bool is_rectangles = search.name.find("rea_star") != std::string_view::npos;
     CHECK(count(record, Kind::rectangle) == (is_rectangles ? route->stats.expanded : 0));
     CHECK(count(record, Kind::interval) == count(record, Kind::rectangle));
+  }
+}
+
+TEST_CASE("one scratch serves searches of any kind, one after the other") {
+  const Scene scene = maps::array();
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
+  AnySearch<LatticeSpace>::Scratch shared;
+  NoObserver nobody;
+  for (const Point& goal : scene.goals) {
+    const Query query{.start = scene.start, .goal = goal, .seed = 3};
+    for (const auto& search : all_searches<LatticeSpace>()) {
+      INFO(search.name);
+      AnySearch<LatticeSpace>::Scratch own;
+      const auto expected = search.search(space, query, own, nobody);
+      const auto route = search.search(space, query, shared, nobody);
+      REQUIRE(route);
+      CHECK(test::same_curve(route->curve, expected->curve));
+    }
   }
 }
 

@@ -14,17 +14,18 @@
 
 namespace tutavia {
 
-/// Plans every query, in `threads` threads (0: one per core), each with a copy of `planner` and so
-/// with scratch memory of its own. The results stand in the order of the queries and do not depend
-/// on the number of threads, as far as budgets do not end them.
+/// Plans every query in `threads` threads (0: one per core), each with a worker of `planner`.
+/// Results are in query order. Unless a budget expires, they do not depend on the number of
+/// threads.
 template <class Search, class Smooth, ClearanceSpace S>
 std::vector<Expected<Plan, Failure>> plan_batch(const Planner<Search, Smooth>& planner,
                                                 const S& space, std::span<const Query> queries,
                                                 unsigned threads = 0) {
   std::vector<std::optional<Expected<Plan, Failure>>> slots(queries.size());
   for_each_in_parallel(queries.size(), threads, [&] {
-    return [&, own = Planner<Search, Smooth>(planner.search(), planner.smoother())](
-               std::size_t i) mutable { slots[i].emplace(own.plan(space, queries[i])); };
+    return [&, worker = planner.worker()](std::size_t i) mutable {
+      slots[i].emplace(worker.plan(space, queries[i]));
+    };
   });
   std::vector<Expected<Plan, Failure>> results;
   results.reserve(slots.size());

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <chrono>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/no_smoothing.hpp"
 
@@ -18,12 +16,6 @@
 
 namespace tutavia {
 
-/// How long the shortest path there is would be; see TangentGraph.
-struct Optimum {
-  double length = 0;  ///< [m]
-  double ratio = 1;   ///< of the plan's length to it
-};
-
 /// A path that is proved safe, and all that is known about it.
 struct Plan {
   Curve curve{};              ///< from start to goal, both exact
@@ -31,9 +23,12 @@ struct Plan {
   PathMetrics metrics{};
   Route route{};           ///< what the search found, before smoothing
   bool fell_back = false;  ///< smoothing gave nothing that could be proved: `curve` is the route's
-  std::optional<Optimum> optimum{};  ///< where the planner was asked to report it
   Statistics stats{};
 };
+
+/// A space on which a search and a smoother work.
+template <class S, class Search, class Smooth>
+concept PlannableSpace = ClearanceSpace<S> && Searcher<Search, S> && Smoother<Smooth, S>;
 
 /// Chains a search, a smoother and the certificate.
 ///
@@ -52,26 +47,18 @@ class Planner {
   const Search& search() const { return search_; }
   const Smooth& smoother() const { return smoother_; }
 
-  /// Whether plans carry the length of the shortest path: found by a search bounded by the plan's
-  /// own length, in spaces that show their obstacles, at a positive safety radius. The search takes
-  /// milliseconds for hundreds of obstacle vertices and keeps within the query's budget; a plan for
-  /// which that is too little has none.
-  Planner& report_optimum(bool on) {
-    reports_optimum_ = on;
-    return *this;
-  }
+  /// A planner with the same options and scratch memory of its own, for another thread.
+  Planner worker() const { return Planner(search_, smoother_); }
 
-  template <ClearanceSpace S>
-  requires Searcher<Search, S> && Smoother<Smooth, S> Expected<Plan, Failure> plan(
-      const S& space, const Query& query) {
+  template <PlannableSpace<Search, Smooth> S>
+  Expected<Plan, Failure> plan(const S& space, const Query& query) {
     NoObserver nobody;
     return plan(space, query, nobody);
   }
 
   /// The same, with an observer that is told of the nodes searched.
-  template <ClearanceSpace S, Observer O>
-  requires Searcher<Search, S> && Smoother<Smooth, S> Expected<Plan, Failure> plan(
-      const S& space, const Query& query, O& observer) {
+  template <PlannableSpace<Search, Smooth> S, Observer O>
+  Expected<Plan, Failure> plan(const S& space, const Query& query, O& observer) {
     Stopwatch watch;
     auto route = search_.search(space, query, scratch_, observer);
     Statistics stats = route ? route->stats : route.error().stats;
@@ -105,11 +92,8 @@ class Planner {
                      .detail = "the route's certificate is " +
                                std::string(to_string(plan.certificate.status))});
     }
-    plan.metrics = measure(space, plan.curve, plan.certificate);
+    plan.metrics = measure(plan.curve, plan.certificate);
     plan.stats = stats;
-    if constexpr (FeatureSpace<S>) {
-      if (reports_optimum_) plan.optimum = find_optimum(space, query, plan.metrics.length);
-    }
     return plan;
   }
 
@@ -128,20 +112,9 @@ class Planner {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   };
 
-  template <FeatureSpace S>
-  std::optional<Optimum> find_optimum(const S& space, const Query& query, double length) {
-    NoObserver nobody;
-    const TangentGraph shorter{.bound = length * (1 + 1e-9)};
-    const auto route = shorter.search(space, query, optimum_scratch_, nobody);
-    if (!route) return std::nullopt;
-    return Optimum{route->cost, route->cost > 0 ? length / route->cost : 1};
-  }
-
   Search search_;
   Smooth smoother_;
   typename Search::Scratch scratch_{};
-  bool reports_optimum_ = false;
-  TangentGraph::Scratch optimum_scratch_{};
 };
 
 }  // namespace tutavia

@@ -3,8 +3,11 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <typeinfo>
+#include <utility>
 #include <vector>
 
 #include "tutavia/pull/redundant_node_removal.hpp"
@@ -50,20 +53,40 @@
 
 namespace tutavia {
 
-/// Any searcher on spaces of type S. Copies share the scratch memory: one thread at a time.
-/// Observers given to `search` are told nothing; `record` takes their place.
+/// Scratch memory of whichever search it was last handed to. Not to be copied, as that of some
+/// searches is not.
+class AnyScratch {
+ public:
+  /// The scratch memory of one kind, made anew where it is another's.
+  template <class Scratch>
+  Scratch& get() {
+    if (memory_ == nullptr || *kind_ != typeid(Scratch)) {
+      memory_ = {new Scratch{}, [](void* memory) { delete static_cast<Scratch*>(memory); }};
+      kind_ = &typeid(Scratch);
+    }
+    return *static_cast<Scratch*>(memory_.get());
+  }
+
+ private:
+  std::unique_ptr<void, void (*)(void*)> memory_{nullptr, [](void*) {}};
+  const std::type_info* kind_ = nullptr;
+};
+
+/// Any searcher on spaces of type S.
 template <class S>
 struct AnySearch {
-  struct Scratch {};
+  using Scratch = AnyScratch;
 
   std::string_view name{};
-  std::function<Expected<Route, Failure>(const S&, const Query&, SearchRecord*)> run{};
-  /// Where searches write down what they do; nowhere if it is null.
-  SearchRecord* record = nullptr;
+  std::function<Expected<Route, Failure>(const S&, const Query&, Scratch&, SearchRecord*)> run{};
 
-  template <Observer O>
-  Expected<Route, Failure> search(const S& space, const Query& query, Scratch&, O&) const {
-    return run(space, query, record);
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  NoObserver&) const {
+    return run(space, query, scratch, nullptr);
+  }
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  SearchRecord& record) const {
+    return run(space, query, scratch, &record);
   }
 };
 
@@ -98,15 +121,17 @@ struct OptionalRecord {
 
 template <class S, Searcher<S> A>
 AnySearch<S> erase_search(const A& algorithm) {
-  auto scratch = std::make_shared<typename A::Scratch>();
-  return {A::name, [algorithm, scratch](const S& space, const Query& query, SearchRecord* record) {
+  return {A::name,
+          [algorithm](const S& space, const Query& query, AnyScratch& any, SearchRecord* record) {
+            auto& scratch = any.get<typename A::Scratch>();
             detail::OptionalRecord observer{record};
             const auto add = [&](const Point& a, const Point& b) { record->edge(a, b); };
-            constexpr bool grows_tree = requires { scratch->for_each_edge(add); };
-            if constexpr (grows_tree) scratch->clear();  // what a failing query leaves is not its
-            auto route = algorithm.search(space, query, *scratch, observer);
+            constexpr bool grows_tree = requires { scratch.for_each_edge(add); };
+            // A query that fails early must not report the tree of the query before.
+            if constexpr (grows_tree) scratch.clear();
+            auto route = algorithm.search(space, query, scratch, observer);
             if constexpr (grows_tree) {
-              if (record != nullptr) scratch->for_each_edge(add);
+              if (record != nullptr) scratch.for_each_edge(add);
             }
             return route;
           }};
@@ -130,21 +155,41 @@ AnySmoother<S> chain(const AnySmoother<S>& first, const AnySmoother<S>& second) 
           }};
 }
 
+namespace detail {
+
+/// A table that all copies of one erased JPS+ share; immutable once it is prepared.
+class SharedJumpTable {
+ public:
+  template <class S>
+  Expected<std::shared_ptr<const JumpTable>, Failure> prepared_for(const S& space) {
+    const std::lock_guard lock(mutex_);
+    if (table_ == nullptr || !table_->matches(space.grid())) {
+      auto table = JpsPlus::prepare(space);
+      if (!table) return table;
+      table_ = std::move(*table);
+    }
+    return table_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::shared_ptr<const JumpTable> table_;
+};
+
+}  // namespace detail
+
 /// JPS+ with a table that is prepared for the space at the first query.
 template <class S>
 AnySearch<S> erase_jps_plus() {
-  auto algorithm = std::make_shared<JpsPlus>();
-  auto scratch = std::make_shared<JpsPlus::Scratch>();
+  auto shared = std::make_shared<detail::SharedJumpTable>();
   return {JpsPlus::name,
-          [algorithm, scratch](const S& space, const Query& query,
-                               SearchRecord* record) -> Expected<Route, Failure> {
-            if (algorithm->table == nullptr || !algorithm->table->matches(space.grid())) {
-              auto table = JpsPlus::prepare(space);
-              if (!table) return Unexpected{table.error()};
-              algorithm->table = *table;
-            }
+          [shared](const S& space, const Query& query, AnyScratch& any,
+                   SearchRecord* record) -> Expected<Route, Failure> {
+            const auto table = shared->prepared_for(space);
+            if (!table) return Unexpected{table.error()};
             detail::OptionalRecord observer{record};
-            return algorithm->search(space, query, *scratch, observer);
+            auto& scratch = any.get<JpsPlus::Scratch>();
+            return JpsPlus{*table}.search(space, query, scratch, observer);
           }};
 }
 

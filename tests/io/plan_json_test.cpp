@@ -52,7 +52,7 @@ TEST_CASE("a plan's numbers read back to the same doubles") {
   CHECK(result["route"].size() == plan.route.curve.pieces().size());
   for (const char* key :
        {"turning_points", "turning_angle", "interior_angle_sum", "max_joint_deflection",
-        "max_curvature", "max_curvature_jump", "min_clearance", "mean_clearance"}) {
+        "max_curvature", "max_curvature_jump", "min_clearance"}) {
     CHECK(result["metrics"].contains(key));
   }
   for (const char* key :
@@ -84,22 +84,19 @@ TEST_CASE("arcs and clothoids are written with all their numbers") {
   CHECK(c["length"] == 0.6);
 }
 
-TEST_CASE("the optimum is written where the planner reports it") {
-  const Scene scene = maps::complex();
-  const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
-  Planner planner{AStar{}, DeltaSmoother{}};
-  const Query query{.start = scene.start, .goal = scene.goals[1]};
-  const auto written = [&] {
-    const auto entry =
-        result_to_json(header(scene, query.goal), planner.plan(space, query).value());
-    return Json::parse(entry.dump());
+TEST_CASE("the optimum and the mean clearance are written where they are known") {
+  Plan plan;
+  plan.metrics.length = 15;
+  const auto written = [&](std::optional<double> optimum) {
+    return Json::parse(result_to_json({}, plan, optimum).dump());
   };
-  CHECK_FALSE(written().contains("optimum"));
-  planner.report_optimum(true);
-  const Json json = written();
-  const double length = json["optimum"]["length"].get<double>();
-  CHECK(length > 12.5);
-  CHECK(json["optimum"]["ratio"].get<double>() == json["metrics"]["length"].get<double>() / length);
+  CHECK_FALSE(written({}).contains("optimum"));
+  CHECK_FALSE(written({})["metrics"].contains("mean_clearance"));
+  plan.metrics.mean_clearance = 1.25;
+  CHECK(written({})["metrics"]["mean_clearance"] == 1.25);
+  CHECK(written(12)["optimum"] == Json{{"length", 12.0}, {"ratio", 1.25}});
+  plan.metrics.length = 0;
+  CHECK(written(0)["optimum"] == Json{{"length", 0.0}, {"ratio", 1.0}});
 }
 
 TEST_CASE("a failure is written with its code, its detail and the clearance") {

@@ -141,8 +141,8 @@ TEST_CASE("the mean clearance is taken over arc length, the least from the certi
                          .value();
   const Point line[] = {{1, 1}, {9, 3}};
   const Curve curve = Curve::polyline(line);
-  const PathMetrics m = measure(space, curve, certify(space, curve));
-  CHECK(m.mean_clearance == Approx(2));
+  const PathMetrics m = measure(curve, certify(space, curve));
+  CHECK(mean_clearance(space, curve) == Approx(2));
   CHECK(m.min_clearance <= 1);
   CHECK(m.min_clearance >= 1 - 1e-6);
 }

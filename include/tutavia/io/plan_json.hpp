@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -32,32 +33,30 @@ inline ResultJson to_json(const Point& p) { return {p.x(), p.y()}; }
 inline ResultJson to_json(const Curve& curve) {
   ResultJson result = ResultJson::array();
   for (const Piece& any : curve.pieces()) {
-    result.push_back(std::visit(
-        [](const auto& piece) -> ResultJson {
-          if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Segment>) {
-            return {{"type", "line"}, {"points", {to_json(piece.a), to_json(piece.b)}}};
-          } else if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Arc>) {
-            return {{"type", "arc"},
-                    {"points", {to_json(piece.a), to_json(piece.b)}},
-                    {"center", to_json(piece.center)},
-                    {"radius", piece.radius},
-                    {"start_angle", piece.start_angle},
-                    {"sweep", piece.sweep}};
-          } else if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Clothoid>) {
-            return {{"type", "clothoid"},
-                    {"points", {to_json(piece.a), to_json(piece.b)}},
-                    {"start", to_json(piece.a)},
-                    {"heading", piece.start_heading},
-                    {"curvature", piece.start_curvature},
-                    {"sharpness", piece.sharpness},
-                    {"length", piece.arc_length}};
-          } else {
-            ResultJson points = ResultJson::array();
-            for (const Point& p : piece.points) points.push_back(to_json(p));
-            return {{"type", "bezier"}, {"points", points}};
-          }
-        },
-        any));
+    result.push_back(visit_piece(any, [](const auto& piece) -> ResultJson {
+      if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Segment>) {
+        return {{"type", "line"}, {"points", {to_json(piece.a), to_json(piece.b)}}};
+      } else if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Arc>) {
+        return {{"type", "arc"},
+                {"points", {to_json(piece.a), to_json(piece.b)}},
+                {"center", to_json(piece.center)},
+                {"radius", piece.radius},
+                {"start_angle", piece.start_angle},
+                {"sweep", piece.sweep}};
+      } else if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Clothoid>) {
+        return {{"type", "clothoid"},
+                {"points", {to_json(piece.a), to_json(piece.b)}},
+                {"start", to_json(piece.a)},
+                {"heading", piece.start_heading},
+                {"curvature", piece.start_curvature},
+                {"sharpness", piece.sharpness},
+                {"length", piece.arc_length}};
+      } else {
+        ResultJson points = ResultJson::array();
+        for (const Point& p : piece.points) points.push_back(to_json(p));
+        return {{"type", "bezier"}, {"points", points}};
+      }
+    }));
   }
   return result;
 }
@@ -81,8 +80,10 @@ inline ResultJson result_head(const ResultHeader& header, std::string_view statu
 }  // namespace detail
 
 /// One entry of `results` for a plan. Numbers read back to the same double; infinite ones (the
-/// clearance where there are no obstacles, the curvature of a cusp) are null.
-inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const Plan& plan) {
+/// clearance where there are no obstacles, the curvature of a cusp) are null. `optimum` is the
+/// length of the shortest path, where it is known (see find_optimum).
+inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const Plan& plan,
+                                             std::optional<double> optimum = std::nullopt) {
   auto json = detail::result_head(header, "success");
   const PathMetrics& m = plan.metrics;
   const Certificate& c = plan.certificate;
@@ -96,13 +97,13 @@ inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const P
                      {"max_joint_deflection", m.max_joint_deflection},
                      {"max_curvature", m.max_curvature},
                      {"max_curvature_jump", m.max_curvature_jump},
-                     {"min_clearance", m.min_clearance},
-                     {"mean_clearance", m.mean_clearance}};
+                     {"min_clearance", m.min_clearance}};
+  if (m.mean_clearance) json["metrics"]["mean_clearance"] = *m.mean_clearance;
   json["certificate"] = {
       {"status", to_string(c.status)},     {"lower", c.lower}, {"upper", c.upper},
       {"point", detail::to_json(c.point)}, {"piece", c.piece}, {"parameter", c.parameter}};
-  if (plan.optimum) {
-    json["optimum"] = {{"length", plan.optimum->length}, {"ratio", plan.optimum->ratio}};
+  if (optimum) {
+    json["optimum"] = {{"length", *optimum}, {"ratio", *optimum > 0 ? m.length / *optimum : 1}};
   }
   json["stats"] = detail::to_json(plan.stats);
   return json;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <type_traits>
 #include <variant>
 
@@ -36,8 +37,9 @@ struct PathMetrics {
   /// Largest jump of the curvature at a joint between two pieces [1/m]; 0, but for rounding, where
   /// the curvature is continuous.
   double max_curvature_jump = 0;
-  double min_clearance = 0;   ///< the proved lower bound [m]
-  double mean_clearance = 0;  ///< over arc length [m], by 256 samples
+  double min_clearance = 0;  ///< the proved lower bound [m]
+  /// Over arc length [m]; filled by those who ask `mean_clearance` for it.
+  std::optional<double> mean_clearance{};
 };
 
 namespace detail {
@@ -94,7 +96,7 @@ auto turning_intervals(const P& piece) {
 
 }  // namespace detail
 
-/// Length, turning and curvature of a curve; the clearances are left at 0.
+/// Length, turning and curvature of a curve; the clearances are left alone.
 inline PathMetrics measure(const Curve& curve) {
   PathMetrics metrics;
   metrics.length = curve.length();
@@ -102,55 +104,59 @@ inline PathMetrics measure(const Curve& curve) {
   Point heading = Point::Zero();  // at the end of what lies behind
   double bend = 0;                // the curvature there
   for (const Piece& any : curve.pieces()) {
-    std::visit(
-        [&](const auto& piece) {
-          using P = std::decay_t<decltype(piece)>;
-          if (is_null(piece.start_direction())) return;  // a single point
-          if (!is_null(heading)) {
-            turns.joint(deflection(heading, piece.start_direction()));
-            const double jump = std::abs(curvature(piece, 0) - bend);
-            metrics.max_curvature_jump = std::max(metrics.max_curvature_jump, jump);
-          }
-          metrics.max_curvature = std::max(metrics.max_curvature, max_curvature(piece));
-          if constexpr (std::is_same_v<P, Segment>) {
-            turns.end_run();
-          } else if constexpr (std::is_same_v<P, Arc>) {
-            turns.turn(piece.sweep);
-          } else if constexpr (std::is_same_v<P, Clothoid>) {
-            const double inflection = -piece.start_curvature / (piece.sharpness * piece.arc_length);
-            const double before = 0 < inflection && inflection < 1 ? piece.turn_to(inflection) : 0;
-            turns.turn(before);
-            turns.turn(piece.turn_to(1) - before);
-          } else {
-            Point before = piece.start_direction();
-            for (const double t : detail::turning_intervals(piece)) {
-              const Point after = t < 1 ? piece.derivative(t) : piece.end_direction();
-              if (t == 0 || is_null(after)) continue;
-              turns.turn(deflection(before, after));
-              before = after;
-            }
-          }
-          heading = piece.end_direction();
-          bend = curvature(piece, 1);
-        },
-        any);
+    visit_piece(any, [&](const auto& piece) {
+      using P = std::decay_t<decltype(piece)>;
+      if (is_null(piece.start_direction())) return;  // a single point
+      if (!is_null(heading)) {
+        turns.joint(deflection(heading, piece.start_direction()));
+        const double jump = std::abs(curvature(piece, 0) - bend);
+        metrics.max_curvature_jump = std::max(metrics.max_curvature_jump, jump);
+      }
+      metrics.max_curvature = std::max(metrics.max_curvature, max_curvature(piece));
+      if constexpr (std::is_same_v<P, Segment>) {
+        turns.end_run();
+      } else if constexpr (std::is_same_v<P, Arc>) {
+        turns.turn(piece.sweep);
+      } else if constexpr (std::is_same_v<P, Clothoid>) {
+        const double inflection = -piece.start_curvature / (piece.sharpness * piece.arc_length);
+        const double before = 0 < inflection && inflection < 1 ? piece.turn_to(inflection) : 0;
+        turns.turn(before);
+        turns.turn(piece.turn_to(1) - before);
+      } else {
+        Point before = piece.start_direction();
+        for (const double t : detail::turning_intervals(piece)) {
+          const Point after = t < 1 ? piece.derivative(t) : piece.end_direction();
+          if (t == 0 || is_null(after)) continue;
+          turns.turn(deflection(before, after));
+          before = after;
+        }
+      }
+      heading = piece.end_direction();
+      bend = curvature(piece, 1);
+    });
   }
   turns.end_run();
   return metrics;
 }
 
-/// All figures of a curve in a space, the least clearance as certified.
-template <ClearanceSpace S>
-PathMetrics measure(const S& space, const Curve& curve, const Certificate& certificate) {
+/// The same, with the least clearance as certified.
+inline PathMetrics measure(const Curve& curve, const Certificate& certificate) {
   PathMetrics metrics = measure(curve);
   metrics.min_clearance = certificate.lower;
-  if (curve.empty()) return metrics;
-  constexpr std::size_t samples = 256;
-  for (std::size_t i = 0; i < samples; ++i) {
-    const double s = metrics.length * (static_cast<double>(i) + 0.5) / samples;
-    metrics.mean_clearance += space.clearance(curve.point(s)) / samples;
-  }
   return metrics;
+}
+
+/// The mean clearance over arc length [m], by 256 exact clearances: on a large grid that takes many
+/// times as long as the search. \pre the curve is not empty
+template <ClearanceSpace S>
+double mean_clearance(const S& space, const Curve& curve) {
+  constexpr std::size_t samples = 256;
+  double sum = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double s = curve.length() * (static_cast<double>(i) + 0.5) / samples;
+    sum += space.clearance(curve.point(s)) / samples;
+  }
+  return sum;
 }
 
 }  // namespace tutavia
