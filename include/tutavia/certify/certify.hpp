@@ -116,19 +116,16 @@ Certificate certify(const S& space, const Curve& curve, const CertifyOptions& op
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i > 0 && start_of(pieces[i]) != end_of(pieces[i - 1])) return certificate;
     if (i % 64 == 0 && budget.exceeded()) return certificate;
-    const PieceProof proof = std::visit(
-        [&](const auto& piece) {
-          return prove_distance(space, piece, space.safety_radius(),
-                                options.max_evaluations_per_piece);
-        },
-        pieces[i]);
+    const PieceProof proof = visit_piece(pieces[i], [&](const auto& piece) {
+      return prove_distance(space, piece, space.safety_radius(), options.max_evaluations_per_piece);
+    });
     certificate.evaluations += proof.evaluations;
     if (proof.status == ProofStatus::proved) continue;
     certificate.status = proof.status;
     certificate.piece = i;
     certificate.parameter = proof.parameter;
     certificate.point =
-        std::visit([&](const auto& p) { return p.point(proof.parameter); }, pieces[i]);
+        visit_piece(pieces[i], [&](const auto& p) { return p.point(proof.parameter); });
     if (proof.status == ProofStatus::violated) {
       certificate.upper = space.clearance(certificate.point) + certificate.slack;
     }
@@ -137,7 +134,7 @@ Certificate certify(const S& space, const Curve& curve, const CertifyOptions& op
   certificate.status = ProofStatus::proved;
   detail::ClearanceInterval<S> interval(space, options, certificate);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    std::visit([&](const auto& piece) { interval.add(piece, i); }, pieces[i]);
+    visit_piece(pieces[i], [&](const auto& piece) { interval.add(piece, i); });
   }
   certificate.lower = std::max(certificate.lower, space.safety_radius());
   certificate.upper = std::max(certificate.upper, certificate.lower);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <new>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
-#include <variant>
 
 #include "tutavia/core/assert.hpp"
 #include "tutavia/core/version.hpp"
@@ -39,13 +40,30 @@ class Expected {
   using value_type = T;
   using error_type = E;
 
-  Expected(T value) : content_(std::in_place_index<0>, std::move(value)) {}  // NOLINT: implicit
+  Expected(T value) : value_(std::move(value)), has_value_(true) {}  // NOLINT: implicit
   template <class G>
   Expected(Unexpected<G> unexpected)  // NOLINT: implicit
-      : content_(std::in_place_index<1>, std::move(unexpected.error)) {}
+      : error_(std::move(unexpected.error)), has_value_(false) {}
 
-  bool has_value() const noexcept { return content_.index() == 0; }
-  explicit operator bool() const noexcept { return has_value(); }
+  Expected(const Expected& other) requires std::is_copy_constructible_v<T>
+      : has_value_(other.has_value_) {
+    if (has_value_) {
+      new (&value_) T(other.value_);
+    } else {
+      new (&error_) E(other.error_);
+    }
+  }
+  Expected(Expected&& other) noexcept : has_value_(other.has_value_) { take(other); }
+  Expected& operator=(Expected other) noexcept {
+    destroy();
+    has_value_ = other.has_value_;
+    take(other);
+    return *this;
+  }
+  ~Expected() { destroy(); }
+
+  bool has_value() const noexcept { return has_value_; }
+  explicit operator bool() const noexcept { return has_value_; }
 
   T& operator*() & { return checked(); }
   const T& operator*() const& { return const_cast<Expected*>(this)->checked(); }
@@ -58,30 +76,54 @@ class Expected {
   T&& value() && { return or_throw(), std::move(checked()); }
 
   E& error() {
-    TUTAVIA_ASSERT(!has_value());
-    return *std::get_if<1>(&content_);
+    TUTAVIA_ASSERT(!has_value_);
+    return error_;
   }
   const E& error() const { return const_cast<Expected*>(this)->error(); }
 
  private:
   T& checked() {
-    TUTAVIA_ASSERT(has_value());
-    return *std::get_if<0>(&content_);
+    TUTAVIA_ASSERT(has_value_);
+    return value_;
   }
   void or_throw() const {
-    if (!has_value())
+    if (!has_value_) {
       throw BadExpectedAccess("tutavia: value() of an Expected that holds an error");
+    }
+  }
+  void take(Expected& other) {
+    if (has_value_) {
+      new (&value_) T(std::move(other.value_));
+    } else {
+      new (&error_) E(std::move(other.error_));
+    }
+  }
+  void destroy() {
+    if (has_value_) {
+      value_.~T();
+    } else {
+      error_.~E();
+    }
   }
 
-  std::variant<T, E> content_;
+  // Not std::variant, which costs each file that includes the header some sixty functions for each
+  // type of value.
+  union {
+    T value_;
+    E error_;
+  };
+  bool has_value_;
 };
+
+/// Stands for the value of an Expected<void, E>.
+struct NoValue {};
 
 /// Success without a value, or an error.
 template <class E>
-class Expected<void, E> : public Expected<std::monostate, E> {
+class Expected<void, E> : public Expected<NoValue, E> {
  public:
-  Expected() : Expected<std::monostate, E>(std::monostate{}) {}
-  using Expected<std::monostate, E>::Expected;
+  Expected() : Expected<NoValue, E>(NoValue{}) {}
+  using Expected<NoValue, E>::Expected;
 };
 
 }  // namespace tutavia

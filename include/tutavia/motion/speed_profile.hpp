@@ -128,16 +128,14 @@ inline std::vector<SpeedStretch> SpeedProfile::intervals(const Curve& curve,
     result.push_back({length, std::min(limits.speed * limits.speed, limits.lateral / curvature)});
   };
   for (const Piece& piece : curve.pieces()) {
-    std::visit(
-        [&](const auto& p) {
-          const std::size_t parts = parts_of(p);
-          if (parts == 1) return add(p.length(), max_curvature(p));
-          for (std::size_t i = 0; i < parts; ++i) {
-            const auto part = p.part(double(i) / double(parts), double(i + 1) / double(parts));
-            add(part.length(), max_curvature(part));
-          }
-        },
-        piece);
+    visit_piece(piece, [&](const auto& p) {
+      const std::size_t parts = parts_of(p);
+      if (parts == 1) return add(p.length(), max_curvature(p));
+      for (std::size_t i = 0; i < parts; ++i) {
+        const auto part = p.part(double(i) / double(parts), double(i + 1) / double(parts));
+        add(part.length(), max_curvature(part));
+      }
+    });
   }
   return result;
 }
@@ -150,9 +148,9 @@ inline std::vector<double> SpeedProfile::joint_limits(const Curve& curve, const 
   std::size_t at = 0;
   for (const Piece& piece : curve.pieces()) {
     const auto direction = [&](bool end) {
-      return std::visit(
-          [&](const auto& p) -> Point { return end ? p.end_direction() : p.start_direction(); },
-          piece);
+      return visit_piece(piece, [&](const auto& p) -> Point {
+        return end ? p.end_direction() : p.start_direction();
+      });
     };
     if (!is_null(direction(false))) {
       const bool is_corner =
@@ -160,7 +158,7 @@ inline std::vector<double> SpeedProfile::joint_limits(const Curve& curve, const 
       if (is_corner) squares[at] = 0;
       before = direction(true);
     }
-    at += std::visit([](const auto& p) { return parts_of(p); }, piece);
+    at += visit_piece(piece, [](const auto& p) { return parts_of(p); });
   }
   return squares;
 }

@@ -30,7 +30,7 @@ Expected<void, Failure> check_free(const S& space, const Curve& curve, const Bud
       if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
     }
     const Piece& piece = curve.pieces()[i];
-    if (std::visit([&](const auto& p) { return is_proved_free(space, p); }, piece)) continue;
+    if (visit_piece(piece, [&](const auto& p) { return is_proved_free(space, p); })) continue;
     const Point a = start_of(piece), b = end_of(piece);
     std::ostringstream detail;
     detail << "segment " << i << " of the route, from (" << a.x() << ", " << a.y() << ") to ("

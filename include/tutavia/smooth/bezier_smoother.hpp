@@ -76,7 +76,7 @@ struct BezierSmoother {
       if (corners[i].is_round) result.push_back(corners[i].piece);
       const double from = corners[i].to, to = corners[i + 1].from;
       if (from < to) {
-        std::visit([&](const auto& p) { result.push_back(p.part(from, to)); }, input.pieces()[i]);
+        visit_piece(input.pieces()[i], [&](const auto& p) { result.push_back(p.part(from, to)); });
       }
     }
     return result;
@@ -98,15 +98,13 @@ struct BezierSmoother {
 
   /// The place at arc length s of a piece of length `total`.
   static Place place(const Piece& piece, double s, double total) {
-    return std::visit(
-        [&](const auto& p) {
-          const double t = detail::parameter_at(p, s, total, s / total);
-          Point direction = p.derivative(t);
-          const double speed = direction.norm();
-          if (speed > 0) direction = {direction.x() / speed, direction.y() / speed};
-          return Place{t, p.point(t), direction};
-        },
-        piece);
+    return visit_piece(piece, [&](const auto& p) {
+      const double t = detail::parameter_at(p, s, total, s / total);
+      Point direction = p.derivative(t);
+      const double speed = direction.norm();
+      if (speed > 0) direction = {direction.x() / speed, direction.y() / speed};
+      return Place{t, p.point(t), direction};
+    });
   }
 
   /// The rounding of the joint before piece i.
@@ -115,8 +113,8 @@ struct BezierSmoother {
     const Piece &in = curve.pieces()[i - 1], &out = curve.pieces()[i];
     const double before = curve.length_before(i) - curve.length_before(i - 1);
     const double after = curve.length_before(i + 1) - curve.length_before(i);
-    const Point u = std::visit([](const auto& p) -> Point { return p.end_direction(); }, in);
-    const Point v = std::visit([](const auto& p) -> Point { return p.start_direction(); }, out);
+    const Point u = visit_piece(in, [](const auto& p) -> Point { return p.end_direction(); });
+    const Point v = visit_piece(out, [](const auto& p) -> Point { return p.start_direction(); });
     // Straight on, or straight back: nothing to round.
     if (!(std::abs(cross(u, v)) > 1e-9 * std::abs(u.dot(v))) || before == 0 || after == 0) {
       return {};
@@ -141,8 +139,8 @@ struct BezierSmoother {
                            const Rounding& after) {
     if (!before.is_round && !after.is_round) return true;
     if (before.to >= after.from) return before.to == after.from;  // nothing is left
-    return std::visit(
-        [&](const auto& p) { return is_proved_free(space, p.part(before.to, after.from)); }, piece);
+    return visit_piece(
+        piece, [&](const auto& p) { return is_proved_free(space, p.part(before.to, after.from)); });
   }
 };
 

@@ -49,7 +49,7 @@ class CornerSpline {
       const std::vector<Part> parts = this->parts();
       bool proved = true;
       for (const Part& part : parts) {
-        if (std::visit([&](const auto& p) { return is_proved_free(space, p); }, part.piece)) {
+        if (visit_piece(part.piece, [&](const auto& p) { return is_proved_free(space, p); })) {
           continue;
         }
         proved = false;
