@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "tutavia/registry.hpp"
 
 #include <algorithm>
 #include <cstdint>
 
+#include "support/registry.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/planner.hpp"
 

@@ -10,10 +10,10 @@
 #include "support/exact_checker.hpp"
 #include "support/random_worlds.hpp"
 #include "support/reference_distance.hpp"
+#include "support/registry.hpp"
 #include "support/scale.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/planner.hpp"
-#include "tutavia/registry.hpp"
 #include "tutavia/space/lattice_space.hpp"
 
 namespace {

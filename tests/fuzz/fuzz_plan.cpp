@@ -10,8 +10,8 @@
 #include <cstring>
 
 #include "support/exact_checker.hpp"
+#include "support/registry.hpp"
 #include "tutavia/planner.hpp"
-#include "tutavia/registry.hpp"
 #include "tutavia/space/lattice_space.hpp"
 
 namespace {

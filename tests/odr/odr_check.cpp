@@ -5,11 +5,11 @@
 
 namespace tutavia::test {
 
-std::size_t searches_in_unit_one();
-std::size_t searches_in_unit_two();
+std::size_t goals_in_unit_one();
+std::size_t goals_in_unit_two();
 
 TEST_CASE("two translation units that include everything link into one program") {
-  CHECK(searches_in_unit_one() == searches_in_unit_two());
+  CHECK(goals_in_unit_one() == goals_in_unit_two());
 }
 
 }  // namespace tutavia::test

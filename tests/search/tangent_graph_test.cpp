@@ -12,11 +12,11 @@
 
 #include "support/catch.hpp"
 #include "support/random_tasks.hpp"
+#include "support/registry.hpp"
 #include "support/scale.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/planner.hpp"
 #include "tutavia/pull/taut_string.hpp"
-#include "tutavia/registry.hpp"
 
 namespace {
 

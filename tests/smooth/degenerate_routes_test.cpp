@@ -12,9 +12,9 @@
 #include "support/catch.hpp"
 #include "support/exact_checker.hpp"
 #include "support/random_tasks.hpp"
+#include "support/registry.hpp"
 #include "support/scale.hpp"
 #include "tutavia/certify/certify.hpp"
-#include "tutavia/registry.hpp"
 
 namespace {
 

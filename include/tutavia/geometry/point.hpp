@@ -3,7 +3,10 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
+#include <cstdio>
 #include <numbers>
+#include <string>
 
 #include "tutavia/core/version.hpp"
 
@@ -56,6 +59,13 @@ inline double deflection(const Point& from, const Point& to) {
 }
 
 inline bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
+
+/// "(1.5, -2)": to six significant digits.
+inline std::string to_text(const Point& p) {
+  char text[64];
+  const int length = std::snprintf(text, sizeof text, "(%g, %g)", p.x(), p.y());
+  return {text, static_cast<std::size_t>(length)};
+}
 
 /// The larger of the two coordinates' magnitudes.
 inline double max_magnitude(const Point& p) { return std::fmax(std::abs(p.x()), std::abs(p.y())); }

@@ -32,8 +32,9 @@ inline void require(bool condition, const std::string& name, const std::string& 
   if (!condition) throw name + ": expected " + expected;
 }
 
-inline const Json& field(const Json& json, const std::string& name) {
-  if (!json.contains(name)) throw "\"" + name + "\" is missing";
+/// The name is no reference, so that g++ does not take the result for one to a temporary.
+inline const Json& field(const Json& json, const char* name) {
+  if (!json.contains(name)) throw "\"" + std::string(name) + "\" is missing";
   return json[name];
 }
 

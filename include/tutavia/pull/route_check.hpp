@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -32,10 +31,8 @@ Expected<void, Failure> check_free(const S& space, const Curve& curve, const Bud
     const Piece& piece = curve.pieces()[i];
     if (visit_piece(piece, [&](const auto& p) { return is_proved_free(space, p); })) continue;
     const Point a = start_of(piece), b = end_of(piece);
-    std::ostringstream detail;
-    detail << "segment " << i << " of the route, from (" << a.x() << ", " << a.y() << ") to ("
-           << b.x() << ", " << b.y() << "), is not free";
-    return fail(PlanError::invalid_input, detail.str());
+    return fail(PlanError::invalid_input, "segment " + std::to_string(i) + " of the route, from " +
+                                              to_text(a) + " to " + to_text(b) + ", is not free");
   }
   return {};
 }

@@ -77,9 +77,11 @@ struct LinkedQuery {
   /// Octile distance to `goal_cell` plus this is a consistent estimate of the cost to the goal: the
   /// least that any goal link adds to the octile distance to it, which may be negative.
   Cost goal_offset = 0;
+  /// Whether the straight segment between start and goal is free and to be taken.
+  bool is_straight = false;
 
   LinkedQuery reversed() const {
-    LinkedQuery result{goals, starts, goal_cell, start_cell, 0};
+    LinkedQuery result{goals, starts, goal_cell, start_cell};
     result.goal_offset = least_offset(starts, start_cell);
     return result;
   }
@@ -122,6 +124,67 @@ inline void append_cell(std::vector<Cell>& cells, Cell cell) {
   cells.push_back(cell);
 }
 
+namespace detail {
+
+/// Joins start and goal to the grid. Errors: those of `check_query`; `start_blocked` and
+/// `goal_blocked` also where no cell around the point can be reached from it, unless the straight
+/// segment will do (`straight`).
+template <LinkedSpace S>
+Expected<LinkedQuery, Failure> link_query(const S& space, const Query& query, bool tries_straight) {
+  if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
+  const Frame& frame = space.frame();
+  LinkedQuery linked{{space.links(query.start), frame.resolution},
+                     {space.links(query.goal), frame.resolution},
+                     frame.nearest_cell(query.start),
+                     frame.nearest_cell(query.goal)};
+  const bool on_grid = linked.starts.is_cell() && linked.goals.is_cell();
+  if (tries_straight && !on_grid && space.segment_free(query.start, query.goal)) {
+    linked.is_straight = true;
+    return linked;
+  }
+  if (linked.starts.size() == 0) {
+    return fail(PlanError::start_blocked, "the start has no link to the grid at this resolution");
+  }
+  if (linked.goals.size() == 0) {
+    return fail(PlanError::goal_blocked, "the goal has no link to the grid at this resolution");
+  }
+  linked.goal_offset = LinkedQuery::least_offset(linked.goals, linked.goal_cell);
+  return linked;
+}
+
+/// What a search on a grid says of its failure.
+inline Failure grid_failure(Failure failure, const Statistics& stats, double resolution) {
+  if (failure.code == PlanError::unreachable) {
+    failure.code = PlanError::unreachable_at_resolution;
+    failure.detail = "no path on the grid at resolution " + std::to_string(resolution) + " m";
+  } else if (failure.code == PlanError::budget_exhausted) {
+    failure.detail = "search stopped after " + std::to_string(stats.expanded) + " expansions";
+  }
+  failure.stats = stats;
+  return failure;
+}
+
+/// The polyline from start to goal through `cells`, which lead from the goal's cell back to the
+/// start's. A cell that coincides with the start or the goal gives way to it.
+inline Curve path_through(const std::vector<Cell>& cells, const LinkedQuery& linked,
+                          const Query& query, const Frame& frame) {
+  auto first = cells.rbegin(), last = cells.rend();
+  if (first != last && linked.starts.cost_of(*first) == Cost{0}) ++first;
+  if (first != last && linked.goals.cost_of(cells.front()) == Cost{0}) --last;
+  Curve path;
+  path.reserve(cells.size() + 1);
+  Point previous = query.start;
+  const auto go = [&](const Point& p) {
+    path.push_back(Segment{previous, p});
+    previous = p;
+  };
+  for (; first != last; ++first) go(frame.point(*first));
+  if (previous != query.goal || path.empty()) go(query.goal);
+  return path;
+}
+
+}  // namespace detail
+
 /// What every search on a grid does around its core. Start and goal are linked to the grid; unless
 /// both are cells themselves, the straight segment between them is tried first (if
 /// `straight_first`). `run(linked, cells, stats)` searches the grid: it fills `cells` with a path
@@ -133,53 +196,17 @@ inline void append_cell(std::vector<Cell>& cells, Cell cell) {
 template <LinkedSpace S, class Run>
 Expected<Route, Failure> search_grid(const S& space, const Query& query, std::vector<Cell>& cells,
                                      Run run, bool straight_first = true) {
-  if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
+  const auto linked = detail::link_query(space, query, straight_first);
+  if (!linked) return Unexpected{linked.error()};
   const Frame& frame = space.frame();
-  const Links start_links = space.links(query.start), goal_links = space.links(query.goal);
-  LinkedQuery linked{{start_links, frame.resolution},
-                     {goal_links, frame.resolution},
-                     frame.nearest_cell(query.start),
-                     frame.nearest_cell(query.goal),
-                     0};
   Route route;
-  const bool on_grid = linked.starts.is_cell() && linked.goals.is_cell();
-  if (straight_first && !on_grid && space.segment_free(query.start, query.goal)) {
-    route.curve.push_back(Segment{query.start, query.goal});
-    route.cost = route.curve.length();
-    return route;
-  }
-  if (start_links.empty()) {
-    return fail(PlanError::start_blocked, "the start has no link to the grid at this resolution");
-  }
-  if (goal_links.empty()) {
-    return fail(PlanError::goal_blocked, "the goal has no link to the grid at this resolution");
-  }
-  linked.goal_offset = LinkedQuery::least_offset(linked.goals, linked.goal_cell);
   cells.clear();
-  if (std::optional<Failure> failure = run(std::as_const(linked), cells, route.stats)) {
-    if (failure->code == PlanError::unreachable) {
-      failure->code = PlanError::unreachable_at_resolution;
-      failure->detail =
-          "no path on the grid at resolution " + std::to_string(frame.resolution) + " m";
-    } else if (failure->code == PlanError::budget_exhausted) {
-      failure->detail =
-          "search stopped after " + std::to_string(route.stats.expanded) + " expansions";
+  if (!linked->is_straight) {
+    if (std::optional<Failure> failure = run(*linked, cells, route.stats)) {
+      return Unexpected{detail::grid_failure(std::move(*failure), route.stats, frame.resolution)};
     }
-    failure->stats = route.stats;
-    return Unexpected{std::move(*failure)};
   }
-  // A cell that coincides with the start or the goal gives way to it.
-  auto first = cells.rbegin(), last = cells.rend();
-  if (linked.starts.cost_of(*first) == Cost{0}) ++first;
-  if (first != last && linked.goals.cost_of(cells.front()) == Cost{0}) --last;
-  Point previous = query.start;
-  const auto go = [&](const Point& p) {
-    route.curve.push_back(Segment{previous, p});
-    previous = p;
-  };
-  route.curve.reserve(cells.size() + 1);
-  for (; first != last; ++first) go(frame.point(*first));
-  if (previous != query.goal || route.curve.empty()) go(query.goal);
+  route.curve = detail::path_through(cells, *linked, query, frame);
   route.cost = route.curve.length();
   return route;
 }

@@ -26,39 +26,57 @@ struct Query {
   std::uint64_t seed = 0;  ///< for searchers that draw random numbers
 };
 
+namespace detail {
+
+/// The failure of a point that is no start (or goal), without what the space knows of it.
+inline Failure endpoint_failure(const Point& p, bool is_start, bool is_within_bounds) {
+  Failure failure;
+  failure.detail = is_start ? "start" : "goal";
+  if (!is_finite(p)) {
+    failure.detail += " is not a pair of finite coordinates";
+    return failure;
+  }
+  failure.detail += " (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")";
+  if (is_within_bounds) {
+    failure.code = is_start ? PlanError::start_blocked : PlanError::goal_blocked;
+    failure.detail += " lies in an obstacle or its safety zone";
+  } else {
+    failure.code = is_start ? PlanError::start_out_of_bounds : PlanError::goal_out_of_bounds;
+    failure.detail += " lies outside the bounds";
+  }
+  return failure;
+}
+
+inline void add_clearance(Failure& failure, double clearance, double safety_radius) {
+  failure.clearance = clearance;
+  failure.detail += ": its clearance is " + std::to_string(clearance) + " m, " +
+                    std::to_string(safety_radius) + " m needed";
+}
+
+inline void add_nearest_safe_point(Failure& failure, const std::optional<Point>& safe) {
+  failure.nearest_safe_point = safe;
+  if (!safe) return;
+  failure.detail += "; the nearest safe point is (" + std::to_string(safe->x()) + ", " +
+                    std::to_string(safe->y()) + ")";
+}
+
+}  // namespace detail
+
 /// Why a point is no place to start or end in `space`, if it is not: out of bounds, or blocked with
 /// the clearance there where the space knows it.
 template <FreeSpace S>
 std::optional<Failure> check_endpoint(const S& space, const Point& p, bool is_start) {
   const bool within = Box(space.bounds()).contains(p);  // false for NaN
   if (within && space.is_free(p)) return std::nullopt;
-  const std::string name = is_start ? "start" : "goal";
-  Failure failure;
-  if (!is_finite(p)) {
-    failure.detail = name + " is not a pair of finite coordinates";
-    return failure;
-  }
-  const auto where = name + " (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")";
-  if (!within) {
-    failure.code = is_start ? PlanError::start_out_of_bounds : PlanError::goal_out_of_bounds;
-    failure.detail = where + " lies outside the bounds";
-    return failure;
-  }
-  failure.code = is_start ? PlanError::start_blocked : PlanError::goal_blocked;
-  failure.detail = where + " lies in an obstacle or its safety zone";
+  Failure failure = detail::endpoint_failure(p, is_start, within);
+  if (!within) return failure;
   if constexpr (ClearanceSpace<S>) {
-    failure.clearance = space.clearance(p);
+    detail::add_clearance(failure, space.clearance(p), space.safety_radius());
     failure.obstacle =
         space.nearest(Segment{p, p}, std::numeric_limits<double>::infinity()).obstacle;
-    failure.detail += ": its clearance is " + std::to_string(*failure.clearance) + " m, " +
-                      std::to_string(space.safety_radius()) + " m needed";
   }
   if constexpr (FeatureSpace<S>) {
-    failure.nearest_safe_point = nearest_free_point(space, p);
-    if (const auto& safe = failure.nearest_safe_point) {
-      failure.detail += "; the nearest safe point is (" + std::to_string(safe->x()) + ", " +
-                        std::to_string(safe->y()) + ")";
-    }
+    detail::add_nearest_safe_point(failure, nearest_free_point(space, p));
   }
   return failure;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -77,6 +78,7 @@ struct DeltaSmoother {
   struct Trigger {
     std::size_t node;
     Point corner;
+    std::uint32_t corner_id;
     double distance;  // between the node and the corner's zone or disc
   };
 
@@ -131,8 +133,9 @@ struct DeltaSmoother {
          critical_corners(space, nodes, corner_threshold, min_exterior_angle)) {
       triggers.push_back(trigger_of(corner, nodes, by_x));
     }
-    std::stable_sort(triggers.begin(), triggers.end(), [](const Trigger& a, const Trigger& b) {
-      return a.node != b.node ? a.node < b.node : a.distance < b.distance;
+    std::sort(triggers.begin(), triggers.end(), [](const Trigger& a, const Trigger& b) {
+      if (a.node != b.node) return a.node < b.node;
+      return a.distance != b.distance ? a.distance < b.distance : a.corner_id < b.corner_id;
     });
     const auto same = [](const Trigger& a, const Trigger& b) { return a.node == b.node; };
     triggers.erase(std::unique(triggers.begin(), triggers.end(), same), triggers.end());
@@ -143,7 +146,7 @@ struct DeltaSmoother {
   /// corner's x. \pre there are nodes
   static Trigger trigger_of(const Corner& corner, const std::vector<Point>& nodes,
                             const std::vector<std::size_t>& by_x) {
-    Trigger best{0, corner.position, std::numeric_limits<double>::infinity()};
+    Trigger best{0, corner.position, corner.id, std::numeric_limits<double>::infinity()};
     double least = best.distance;  // from the corner's position
     const auto look_at = [&](std::size_t i) {
       const double aside = std::abs(nodes[i].x() - corner.position.x());
@@ -181,16 +184,16 @@ struct DeltaSmoother {
     const Point& a = nodes[trigger.node - 1];
     const Point& b = nodes[trigger.node];
     const Point& c = nodes[trigger.node + 1];
-    const double chord = (c - a).norm();
+    const double chord = distance(a, c);
     if (std::abs(cross(b - a, c - b)) <= 1e-9 * chord * chord && space.segment_free(a, c)) {
       result.push_back(Segment{a, c});
       return;
     }
     const Point away = b - trigger.corner;
-    const double distance = away.norm();
+    const double length = away.norm();
     double offset = 0;
     while (offset <= arc_max_offset) {
-      const Point pushed = distance > 0 ? Point(b + offset / distance * away) : b;
+      const Point pushed = length > 0 ? advance(b, offset / length, away) : b;
       const QuadraticBezier arc{{a, pushed, c}};
       if (is_proved_free(space, arc)) {
         result.push_back(arc);

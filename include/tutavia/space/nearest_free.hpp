@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "tutavia/geometry/box.hpp"
@@ -20,63 +18,121 @@ namespace tutavia {
 
 namespace detail {
 
-/// Part of the boundary of free space: a circle around an obstacle's vertex or disc, or an edge of
-/// the obstacle or of the bounds moved out by the safety radius.
-struct Circle {
-  Point center;
-  double radius;
+/// Part of the boundary of free space: a circle around an obstacle's vertex or disc (a single point
+/// with a radius), or an edge of the obstacle or of the bounds moved out by the safety radius.
+struct Boundary {
+  Segment line;
+  double radius = 0;  // of a circle around line.a
+
+  static Boundary circle(const Point& center, double radius) { return {{center, center}, radius}; }
+  bool is_circle() const { return radius > 0; }
 };
-using Boundary = std::variant<Segment, Circle>;
 
 /// Calls `visit(q)` for the points of a boundary nearest to p.
 template <class Visit>
 void for_each_projection(const Boundary& boundary, const Point& p, Visit visit) {
-  if (const Segment* s = std::get_if<Segment>(&boundary))
-    return visit(s->point(s->nearest_parameter(p)));
-  const Circle& circle = std::get<Circle>(boundary);
-  const Point v = p - circle.center;
-  if (v.norm() > 0) return visit(advance(circle.center, circle.radius / v.norm(), v));
+  if (!boundary.is_circle()) return visit(boundary.line.point(boundary.line.nearest_parameter(p)));
+  const Point center = boundary.line.a, v = p - center;
+  if (v.norm() > 0) return visit(advance(center, boundary.radius / v.norm(), v));
   for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)}) {
-    visit(advance(circle.center, circle.radius, axis));
+    visit(advance(center, boundary.radius, axis));
   }
 }
 
 /// Calls `visit(q)` where two boundaries meet.
 template <class Visit>
 void for_each_crossing(const Boundary& first, const Boundary& second, Visit visit) {
-  const Segment* s = std::get_if<Segment>(&first);
-  const Segment* t = std::get_if<Segment>(&second);
-  if (s != nullptr && t != nullptr) {
-    const Point d = s->b - s->a, e = t->b - t->a;
+  if (!first.is_circle() && !second.is_circle()) {
+    const Segment &s = first.line, &t = second.line;
+    const Point d = s.b - s.a, e = t.b - t.a;
     const double determinant = cross(d, e);
-    if (determinant != 0) visit(advance(s->a, cross(Point(t->a - s->a), e) / determinant, d));
+    if (determinant != 0) visit(advance(s.a, cross(Point(t.a - s.a), e) / determinant, d));
     return;
   }
-  if (s == nullptr && t != nullptr) return for_each_crossing(second, first, visit);
+  if (!second.is_circle()) return for_each_crossing(second, first, visit);
   // A line across a circle: the segment's own, or the common chord of two circles.
-  const Circle& circle = std::get<Circle>(second);
+  const Point center = second.line.a;
+  const double square_radius = second.radius * second.radius;
   Point foot, direction;
-  if (s != nullptr) {
-    direction = s->b - s->a;
+  if (!first.is_circle()) {
+    direction = first.line.b - first.line.a;
     const double square = direction.squaredNorm();
     if (!(square > 0)) return;
-    const Point v = circle.center - s->a;
-    foot = advance(s->a, v.dot(direction) / square, direction);
+    const Point v = center - first.line.a;
+    foot = advance(first.line.a, v.dot(direction) / square, direction);
   } else {
-    const Circle& other = std::get<Circle>(first);
-    const Point between = other.center - circle.center;
+    const Point between = first.line.a - center;
     const double square = between.squaredNorm();
     if (!(square > 0)) return;
-    const double along = (square + circle.radius * circle.radius - other.radius * other.radius) / 2;
-    foot = advance(circle.center, along / square, between);
+    const double along = (square + square_radius - first.radius * first.radius) / 2;
+    foot = advance(center, along / square, between);
     direction = perpendicular(between);
   }
-  const double height = distance(foot, circle.center);
-  const double half = circle.radius * circle.radius - height * height;
+  const double height = distance(foot, center);
+  const double half = square_radius - height * height;
   if (!(half >= 0)) return;
   const double reach = std::sqrt(half) / direction.norm();
   visit(advance(foot, reach, direction));
   visit(advance(foot, -reach, direction));
+}
+
+/// The sides of the bounds within `reach` of a point.
+inline std::vector<Boundary> sides_near(const Box& bounds, const Point& origin, double reach) {
+  std::vector<Boundary> sides;
+  const Point c0 = bounds.min, c2 = bounds.max, c1{c2.x(), c0.y()}, c3{c0.x(), c2.y()};
+  for (const Segment& side : {Segment{c0, c1}, Segment{c1, c2}, Segment{c2, c3}, Segment{c3, c0}}) {
+    if (distance(origin, side) <= reach) sides.push_back({side});
+  }
+  return sides;
+}
+
+/// Adds the boundary of the points within `offset` of an edge or a point.
+inline void add_zone(const Segment& core, double offset, std::vector<Boundary>& boundaries) {
+  boundaries.push_back(Boundary::circle(core.a, offset));
+  if (core.a == core.b) return;
+  boundaries.push_back(Boundary::circle(core.b, offset));
+  const Point aside = perpendicular(core.b - core.a);
+  const double scale = offset / aside.norm();
+  for (const double side : {scale, -scale}) {
+    boundaries.push_back({{advance(core.a, side, aside), advance(core.b, side, aside)}});
+  }
+}
+
+/// The points on boundaries nearest to `origin` and those where boundaries cross, within the bounds
+/// and `reach`, nearest first; crossings also `aside` off.
+inline std::vector<Point> free_candidates(const std::vector<Boundary>& boundaries,
+                                          const Box& bounds, const Point& origin, double reach,
+                                          double aside) {
+  struct Candidate {
+    double distance;
+    std::size_t number;  // in the order found
+    Point point;
+  };
+  std::vector<Candidate> candidates;
+  const auto add = [&](const Point& q) {
+    const Point inside = bounds.clamp(q);
+    const double d = distance(inside, origin);
+    if (d <= reach) candidates.push_back({d, candidates.size(), inside});
+  };
+  const auto add_crossing = [&](const Point& q) {
+    add(q);
+    for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)}) {
+      add(advance(q, aside, axis));
+    }
+  };
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    for_each_projection(boundaries[i], origin, add);
+    for (std::size_t j = 0; j < i; ++j) {
+      for_each_crossing(boundaries[i], boundaries[j], add_crossing);
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.number < b.number;
+  });
+  std::vector<Point> points;
+  points.reserve(candidates.size());
+  for (const Candidate& candidate : candidates) points.push_back(candidate.point);
+  return points;
 }
 
 }  // namespace detail
@@ -98,48 +154,15 @@ std::optional<Point> nearest_free_point(const S& space, const Point& p) {
   const double farthest = std::hypot(bounds.width(), bounds.height());
   double reach = std::min(farthest, 2 * r + 4 * margin + farthest / 256);
   while (true) {
-    std::vector<detail::Boundary> boundaries;
-    const Point c0 = bounds.min, c2 = bounds.max, c1{c2.x(), c0.y()}, c3{c0.x(), c2.y()};
-    for (const Segment& side :
-         {Segment{c0, c1}, Segment{c1, c2}, Segment{c2, c3}, Segment{c3, c0}}) {
-      if (distance(origin, side) <= reach) boundaries.emplace_back(side);
-    }
-    space.for_each_feature(
-        Box{origin, origin}.inflated(reach + r), [&](const Segment& core, double radius) {
-          const double offset = radius + r + margin;
-          boundaries.emplace_back(detail::Circle{core.a, offset});
-          if (core.a == core.b) return;
-          boundaries.emplace_back(detail::Circle{core.b, offset});
-          const Point aside = perpendicular(core.b - core.a);
-          const double scale = offset / aside.norm();
-          for (const double side : {scale, -scale}) {
-            boundaries.emplace_back(
-                Segment{advance(core.a, side, aside), advance(core.b, side, aside)});
-          }
-        });
+    std::vector<detail::Boundary> boundaries = detail::sides_near(bounds, origin, reach);
+    space.for_each_feature(Box{origin, origin}.inflated(reach + r),
+                           [&](const Segment& core, double radius) {
+                             detail::add_zone(core, radius + r + margin, boundaries);
+                           });
     constexpr std::size_t most_boundaries = 512;  // their pairs take some milliseconds
     if (boundaries.size() > most_boundaries) return std::nullopt;
-    std::vector<Point> candidates;
-    const auto add = [&](const Point& q) {
-      const Point inside = bounds.clamp(q);
-      if (distance(inside, origin) <= reach) candidates.push_back(inside);
-    };
-    const auto add_crossing = [&](const Point& q) {
-      add(q);
-      for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)}) {
-        add(advance(q, 4 * margin, axis));
-      }
-    };
-    for (std::size_t i = 0; i < boundaries.size(); ++i) {
-      detail::for_each_projection(boundaries[i], origin, add);
-      for (std::size_t j = 0; j < i; ++j) {
-        detail::for_each_crossing(boundaries[i], boundaries[j], add_crossing);
-      }
-    }
-    std::stable_sort(candidates.begin(), candidates.end(), [&](const Point& a, const Point& b) {
-      return distance(a, origin) < distance(b, origin);
-    });
-    for (const Point& candidate : candidates) {
+    for (const Point& candidate :
+         detail::free_candidates(boundaries, bounds, origin, reach, 4 * margin)) {
       if (space.is_free(candidate)) return candidate;
     }
     if (reach >= farthest) return std::nullopt;
