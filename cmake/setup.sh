@@ -3,7 +3,7 @@
 # Installs what is missing (Debian and Ubuntu, through apt), then builds and runs.
 #
 #   cmake/setup.sh demo    plans the built-in maze, prints a table and writes maze.svg
-#   cmake/setup.sh test    builds everything and runs the whole test suite
+#   cmake/setup.sh test    builds the examples and tests, and runs the whole test suite
 #   cmake/setup.sh tools   only installs what the sanitizer, format and lint checks need
 set -euo pipefail
 mode=${1:-}
@@ -23,14 +23,15 @@ need_command g++ g++
 need_command cmake cmake
 need_command ninja ninja-build
 need_header eigen3/Eigen/Core libeigen3-dev
-need_header boost/geometry.hpp libboost-dev
 need_header CLI/CLI.hpp libcli11-dev
 need_header nlohmann/json.hpp nlohmann-json3-dev
 if [ "$mode" != demo ]; then
+  need_header boost/multiprecision/cpp_int.hpp libboost-dev
   has_header catch2/catch.hpp || need_header catch2/catch_all.hpp catch2
 fi
 if [ "$mode" = tools ]; then
   need_command clang++ clang
+  need_command clang++-19 clang-19
   need_command clang-format clang-format
   need_command clang-tidy clang-tidy
   need_command python3 python3
@@ -70,8 +71,8 @@ case $mode in
     exec "$OLDPWD/build/demo/examples/tutavia-plan"
     ;;
   test)
-    cmake --preset release
-    cmake --build --preset release
-    exec ctest --preset release
+    cmake --preset test
+    cmake --build --preset test
+    exec ctest --preset test
     ;;
 esac
