@@ -31,6 +31,7 @@
 #include "tutavia/geometry/exact_number.hpp"
 #include "tutavia/geometry/natural_spline.hpp"
 #include "tutavia/geometry/nearest_place.hpp"
+#include "tutavia/geometry/piece.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/geometry/polygon.hpp"
 #include "tutavia/geometry/polynomial.hpp"

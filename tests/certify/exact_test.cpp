@@ -63,7 +63,7 @@ TEST_CASE("no path of a random world comes below the safety radius", "[soak]") {
 /// golden-section search.
 double least_distance(const Workspace& world, const Piece& piece) {
   const auto at = [&](double t) {
-    const Point p = std::visit([&](const auto& any) -> Point { return any.point(t); }, piece);
+    const Point p = piece.visit([&](const auto& any) -> Point { return any.point(t); });
     return static_cast<double>(test::reference_clearance(world, p));
   };
   constexpr int samples = 200;
@@ -128,8 +128,8 @@ TEST_CASE("no verdict on a piece next to the safety radius is wrong", "[soak]") 
     const double gap = std::pow(10.0, -1 - decade) * random.uniform(0.5, 1);
     world.safety_radius = distance * (random.below(2) == 0 ? 1 - gap : 1 + gap);
     const auto space = InflatedSpace::build(world).value();
-    const PieceProof proof = std::visit(
-        [&](const auto& p) { return prove_distance(space, p, world.safety_radius); }, piece);
+    const PieceProof proof =
+        piece.visit([&](const auto& p) { return prove_distance(space, p, world.safety_radius); });
     const ExactVerdict verdict = test::ExactChecker(world).check(piece);
     const auto i = static_cast<std::size_t>(decade);
     ++pieces[i];

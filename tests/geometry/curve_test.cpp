@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <variant>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -127,7 +126,7 @@ TEST_CASE("locate() inverts the arc length of every piece", "[geometry]") {
     double before = 0;
     for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
       const auto length_to = [&](double t) {
-        return std::visit([&](const auto& piece) { return piece.length_to(t); }, curve.pieces()[i]);
+        return curve.pieces()[i].visit([&](const auto& piece) { return piece.length_to(t); });
       };
       const double t = random.uniform(), s = before + length_to(t);
       const auto found = curve.locate(s);
@@ -136,7 +135,7 @@ TEST_CASE("locate() inverts the arc length of every piece", "[geometry]") {
       CHECK(found.first == i);
       CHECK(std::abs(before + length_to(parameter) - s) <= 1e-11 * curve.length());
       const Point expected =
-          std::visit([&](const auto& p) { return Point(p.point(parameter)); }, curve.pieces()[i]);
+          curve.pieces()[i].visit([&](const auto& p) { return Point(p.point(parameter)); });
       CHECK(curve.point(s) == expected);
       before += length_to(1);
     }

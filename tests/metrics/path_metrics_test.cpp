@@ -111,19 +111,17 @@ TEST_CASE("turning and curvature agree with dense sampling, forwards and backwar
     }
     double turning = 0, curvature = 0;
     const int samples = 200000;
-    std::visit(
-        [&](const auto& piece) {
-          Point before = piece.derivative(0);
-          curvature = std::abs(tutavia::curvature(piece, 0));
-          for (int i = 1; i <= samples; ++i) {
-            const double t = static_cast<double>(i) / samples;
-            const Point after = piece.derivative(t);
-            turning += std::abs(deflection(before, after));
-            curvature = std::max(curvature, std::abs(tutavia::curvature(piece, t)));
-            before = after;
-          }
-        },
-        forwards.pieces()[0]);
+    forwards.pieces()[0].visit([&](const auto& piece) {
+      Point before = piece.derivative(0);
+      curvature = std::abs(tutavia::curvature(piece, 0));
+      for (int i = 1; i <= samples; ++i) {
+        const double t = static_cast<double>(i) / samples;
+        const Point after = piece.derivative(t);
+        turning += std::abs(deflection(before, after));
+        curvature = std::max(curvature, std::abs(tutavia::curvature(piece, t)));
+        before = after;
+      }
+    });
     const PathMetrics m = measure(forwards), reversed = measure(backwards);
     CHECK(m.turning_angle == Approx(turning).epsilon(1e-6));
     CHECK(reversed.turning_angle == Approx(m.turning_angle).epsilon(1e-9));

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <variant>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -78,8 +77,8 @@ TEST_CASE("pieces that are not straight, and single points, are kept") {
   curve.push_back(Segment{{2.5, 2.5}, {2.5, 4.5}});
   const Curve result = split_at_nodes(space, curve);
   REQUIRE(result.pieces().size() == 4);
-  CHECK(std::holds_alternative<Segment>(result.pieces()[0]));
-  CHECK(std::holds_alternative<QuadraticBezier>(result.pieces()[1]));
+  CHECK(result.pieces()[0].holds<Segment>());
+  CHECK(result.pieces()[1].holds<QuadraticBezier>());
   CHECK(end_of(result.pieces()[2]) == Point(2.5, 3.5));
   CHECK(result.length() == Approx(curve.length()));
   CHECK(split_at_nodes(space, Curve()).empty());

@@ -44,7 +44,7 @@ TEST_CASE("around one post a string is two tangents and an arc") {
   REQUIRE(over.pieces().size() == 3);
   const double tangent = std::sqrt(12.0), sweep = pi - 2 * std::acos(0.5);
   CHECK(over.length() == Approx(2 * tangent + 2 * sweep).epsilon(1e-12));
-  const Arc& arc = std::get<Arc>(over.pieces()[1]);
+  const Arc& arc = *over.pieces()[1].get_if<Arc>();
   CHECK(arc.radius == Approx(2).epsilon(1e-12));
   CHECK(arc.sweep < 0);
 
@@ -77,7 +77,7 @@ TEST_CASE("walls without area hold a string, with all their vertices") {
       space.workspace(), around,
       Curve::polyline(std::vector<Point>{{-10, 3}, {9, 3}, {9, -3}, {-10, -3}})));
   std::size_t arcs = 0;
-  for (const Piece& piece : around.pieces()) arcs += std::holds_alternative<Arc>(piece) ? 1 : 0;
+  for (const Piece& piece : around.pieces()) arcs += piece.holds<Arc>() ? 1 : 0;
   CHECK(arcs >= 1);
   CHECK(measure(around).turning_points <= 2);
 }

@@ -30,7 +30,7 @@ TEST_CASE("a free corner becomes one piece that takes its trim of both legs") {
   const auto curve =
       BezierSmoother{.trim = 1}.smooth(space, Curve::polyline(right_angle), {}).value();
   REQUIRE(curve.pieces().size() == 3);
-  const auto& piece = std::get<CubicBezier>(curve.pieces()[1]);
+  const auto& piece = *curve.pieces()[1].get_if<CubicBezier>();
   CHECK(piece.points[0].isApprox(Point(3, 0)));
   CHECK(piece.points[1].isApprox(Point(3 + 2.0 / 3, 0)));
   CHECK(piece.points[2].isApprox(Point(4, 1.0 / 3)));
@@ -43,8 +43,8 @@ TEST_CASE("a free corner becomes one piece that takes its trim of both legs") {
   const Point step[] = {{0, 0}, {2, 0}, {2, 1.1}, {5, 1.1}};
   const auto whole = shared.smooth(space, Curve::polyline(step), {}).value();
   REQUIRE(whole.pieces().size() == 4);
-  CHECK(std::holds_alternative<CubicBezier>(whole.pieces()[1]));
-  CHECK(std::holds_alternative<CubicBezier>(whole.pieces()[2]));
+  CHECK(whole.pieces()[1].holds<CubicBezier>());
+  CHECK(whole.pieces()[2].holds<CubicBezier>());
   CHECK(test::largest_corner(whole) < 1e-12);
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <variant>
 
 #include "support/exact_checker.hpp"
 #include "support/homotopy.hpp"
@@ -34,7 +33,7 @@ template <class P>
 std::size_t count(const Curve& curve) {
   return static_cast<std::size_t>(
       std::count_if(curve.pieces().begin(), curve.pieces().end(),
-                    [](const Piece& piece) { return std::holds_alternative<P>(piece); }));
+                    [](const Piece& piece) { return piece.holds<P>(); }));
 }
 
 void check_continuous(const Curve& curve) {

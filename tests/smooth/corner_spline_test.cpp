@@ -2,7 +2,6 @@
 #include "tutavia/smooth/corner_spline.hpp"
 
 #include <cmath>
-#include <variant>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -26,7 +25,7 @@ double largest_jump(const Curve& curve) {
   double largest = 0;
   for (std::size_t i = 0; i + 1 < curve.pieces().size(); ++i) {
     const auto at = [&](std::size_t piece, double t) {
-      return std::visit([&](const auto& p) { return curvature(p, t); }, curve.pieces()[piece]);
+      return curve.pieces()[piece].visit([&](const auto& p) { return curvature(p, t); });
     };
     largest = std::fmax(largest, std::abs(at(i, 1) - at(i + 1, 0)));
   }
@@ -46,8 +45,8 @@ TEST_CASE("in the open the spline has continuous curvature, and helpers hold it 
     CHECK(largest_jump(curve) < 1e-9 / reach);
     CHECK(curve.length() > shortest);  // the tighter, the longer
     shortest = curve.length();
-    CHECK(std::holds_alternative<Segment>(curve.pieces().front()));
-    CHECK(std::holds_alternative<Segment>(curve.pieces().back()));
+    CHECK(curve.pieces().front().holds<Segment>());
+    CHECK(curve.pieces().back().holds<Segment>());
   }
   CHECK(shortest < Curve::polyline(zigzag).length());
   const Curve free = CornerSpline(zigzag, CornerSpline::no_helper).prove(space, {}).value();
@@ -73,7 +72,7 @@ TEST_CASE("only corners that obstacles ask for are drawn tighter, down to the co
   const Curve corner = CornerSpline(path, 3).prove(touching, {}).value();
   CHECK(corner.nearest({10, 0}).distance == 0);
   CHECK(test::largest_corner(corner) > 1.5);
-  CHECK(std::get<Segment>(corner.pieces().front()).b == Point(10, 0));
+  CHECK(end_of(corner.pieces().front()) == Point(10, 0));
 }
 
 TEST_CASE("a spline that fits nowhere is the polyline") {

@@ -29,7 +29,7 @@ TEST_CASE("the two steps around a trigger become one arc, pushed out only as far
   const Point wide[] = {{-1, 0.4}, {0, 0.8}, {1, 0.4}};
   const auto free = DeltaSmoother{}.smooth(space, Curve::polyline(wide), Budget{}).value();
   REQUIRE(free.pieces().size() == 1);
-  const auto* arc = std::get_if<QuadraticBezier>(&free.pieces()[0]);
+  const auto* arc = free.pieces()[0].get_if<QuadraticBezier>();
   REQUIRE(arc != nullptr);
   CHECK(arc->points[1] == Point(0, 0.8));
 
@@ -38,7 +38,7 @@ TEST_CASE("the two steps around a trigger become one arc, pushed out only as far
   const Point close[] = {{-1, 0.2}, {0, 0.6}, {1, 0.2}};
   const auto pushed = DeltaSmoother{}.smooth(space, Curve::polyline(close), Budget{}).value();
   REQUIRE(pushed.pieces().size() == 1);
-  arc = std::get_if<QuadraticBezier>(&pushed.pieces()[0]);
+  arc = pushed.pieces()[0].get_if<QuadraticBezier>();
   REQUIRE(arc != nullptr);
   CHECK(arc->points[1].isApprox(Point(0, 0.6 + 0.12 + 0.12)));
 }
@@ -69,7 +69,7 @@ TEST_CASE("shortcuts stop one node before the last in sight, and before triggers
 
   const auto triggers = DeltaSmoother{}.smooth(space, Curve::polyline(nodes), Budget{}).value();
   for (const Piece& piece : triggers.pieces()) {
-    if (const auto* arc = std::get_if<QuadraticBezier>(&piece)) {
+    if (const auto* arc = piece.get_if<QuadraticBezier>()) {
       CHECK(arc->points[1].norm() < 1.7);  // near the post's trigger
     }
   }

@@ -35,7 +35,7 @@ std::vector<Point> zigzag(std::size_t count) {
 bool is_one_spline(const Curve& curve, std::size_t count) {
   return curve.pieces().size() == count &&
          std::all_of(curve.pieces().begin(), curve.pieces().end(),
-                     [](const Piece& p) { return std::holds_alternative<CubicBezier>(p); });
+                     [](const Piece& p) { return p.holds<CubicBezier>(); });
 }
 
 /// The sum of squared distances between the nodes and the curve's points at their sites, where the
@@ -50,7 +50,7 @@ double residual_sum(const Curve& curve, const std::vector<Point>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const double t = std::fmin(count * sites[i] / sites.back(), count);
     const double whole = std::fmin(std::floor(t), count - 1);
-    const auto& piece = std::get<CubicBezier>(curve.pieces()[static_cast<std::size_t>(whole)]);
+    const auto& piece = *curve.pieces()[static_cast<std::size_t>(whole)].get_if<CubicBezier>();
     sum += (piece.point(t - whole) - nodes[i]).squaredNorm();
   }
   return sum;
@@ -60,8 +60,8 @@ double residual_sum(const Curve& curve, const std::vector<Point>& nodes) {
 std::pair<double, double> largest_jumps(const Curve& curve) {
   double turn = 0, bend = 0;
   for (std::size_t i = 0; i + 1 < curve.pieces().size(); ++i) {
-    const auto& in = std::get<CubicBezier>(curve.pieces()[i]);
-    const auto& out = std::get<CubicBezier>(curve.pieces()[i + 1]);
+    const auto& in = *curve.pieces()[i].get_if<CubicBezier>();
+    const auto& out = *curve.pieces()[i + 1].get_if<CubicBezier>();
     turn = std::fmax(turn, std::abs(deflection(in.derivative(1), out.derivative(0))));
     bend = std::fmax(bend, std::abs(curvature(in, 1) - curvature(out, 0)));
   }
@@ -120,7 +120,7 @@ TEST_CASE("more smoothing makes a spline shorter and straighter, up to the strai
   for (const double smoothing : {1.0, 1e9, std::numeric_limits<double>::infinity()}) {
     const auto line = SmoothingSpline{.smoothing = smoothing}.smooth(space, input, {}).value();
     REQUIRE(line.pieces().size() == 1);
-    CHECK(std::holds_alternative<Segment>(line.pieces()[0]));
+    CHECK(line.pieces()[0].holds<Segment>());
     CHECK(line.length() == (nodes.back() - nodes.front()).norm());
   }
 }
@@ -175,7 +175,7 @@ TEST_CASE("where an obstacle is in the way a part of the route keeps its steps")
       CHECK(curve.end() == input.end());
       CHECK(curve.length() < input.length());
       std::size_t bent = 0;
-      for (const Piece& p : curve.pieces()) bent += std::holds_alternative<CubicBezier>(p);
+      for (const Piece& p : curve.pieces()) bent += p.holds<CubicBezier>();
       CHECK(bent >= 10);
       const bool is_open = world.workspace().obstacles.empty();
       CHECK(is_one_spline(curve, 99) == is_open);

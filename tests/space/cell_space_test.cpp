@@ -1111,7 +1111,7 @@ TEST_CASE("maps without blocked cells, without free ones and without any have an
 ExactVerdict exact_verdict(const Workspace& world, const Curve& curve) {
   ExactVerdict verdict = ExactVerdict::free;
   for (const Piece& piece : curve.pieces()) {
-    Box box = std::visit([](const auto& any) { return any.box(); }, piece);
+    Box box = piece.visit([](const auto& any) { return any.box(); });
     box = box.inflated(1.001 * world.safety_radius + 1e-6 * world.bounds.width());
     Workspace near = world;
     std::erase_if(near.obstacles, [&](const Obstacle& obstacle) {

@@ -36,7 +36,7 @@ class ExactChecker::Judge {
   }
 
   ExactVerdict check(const Piece& piece) const {
-    return visit_piece(piece, [&](const auto& p) { return check_piece(p); });
+    return piece.visit([&](const auto& p) { return check_piece(p); });
   }
 
  private:

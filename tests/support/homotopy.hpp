@@ -20,10 +20,10 @@ namespace tutavia::test {
 inline std::vector<Point> outline(const Curve& curve) {
   std::vector<Point> points{curve.start()};
   for (const Piece& piece : curve.pieces()) {
-    const int steps = std::holds_alternative<Segment>(piece) ? 1 : 32;
+    const int steps = piece.holds<Segment>() ? 1 : 32;
     for (int i = 1; i <= steps; ++i) {
       points.push_back(
-          std::visit([&](const auto& p) -> Point { return p.point(double(i) / steps); }, piece));
+          piece.visit([&](const auto& p) -> Point { return p.point(double(i) / steps); }));
     }
   }
   return points;

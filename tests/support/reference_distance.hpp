@@ -81,7 +81,7 @@ inline Real sampled_clearance(const Workspace& world, const Curve& curve, int pe
   for (const Piece& piece : curve.pieces()) {
     for (int i = 0; i <= per_piece; ++i) {
       const double t = static_cast<double>(i) / per_piece;
-      const Point p = std::visit([&](const auto& any) -> Point { return any.point(t); }, piece);
+      const Point p = piece.visit([&](const auto& any) -> Point { return any.point(t); });
       result = std::min(result, reference_clearance(world, p));
     }
   }

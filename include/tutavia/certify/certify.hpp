@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
-#include <variant>
 
 #include "tutavia/certify/certificate.hpp"
 #include "tutavia/certify/piece_proof.hpp"
@@ -116,7 +115,7 @@ Certificate certify(const S& space, const Curve& curve, const CertifyOptions& op
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i > 0 && start_of(pieces[i]) != end_of(pieces[i - 1])) return certificate;
     if (i % 64 == 0 && budget.exceeded()) return certificate;
-    const PieceProof proof = visit_piece(pieces[i], [&](const auto& piece) {
+    const PieceProof proof = pieces[i].visit([&](const auto& piece) {
       return prove_distance(space, piece, space.safety_radius(), options.max_evaluations_per_piece);
     });
     certificate.evaluations += proof.evaluations;
@@ -124,8 +123,7 @@ Certificate certify(const S& space, const Curve& curve, const CertifyOptions& op
     certificate.status = proof.status;
     certificate.piece = i;
     certificate.parameter = proof.parameter;
-    certificate.point =
-        visit_piece(pieces[i], [&](const auto& p) { return p.point(proof.parameter); });
+    certificate.point = pieces[i].visit([&](const auto& p) { return p.point(proof.parameter); });
     if (proof.status == ProofStatus::violated) {
       certificate.upper = space.clearance(certificate.point) + certificate.slack;
     }
@@ -134,7 +132,7 @@ Certificate certify(const S& space, const Curve& curve, const CertifyOptions& op
   certificate.status = ProofStatus::proved;
   detail::ClearanceInterval<S> interval(space, options, certificate);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    visit_piece(pieces[i], [&](const auto& piece) { interval.add(piece, i); });
+    pieces[i].visit([&](const auto& piece) { interval.add(piece, i); });
   }
   certificate.lower = std::max(certificate.lower, space.safety_radius());
   certificate.upper = std::max(certificate.upper, certificate.lower);

@@ -6,45 +6,16 @@
 #include <cstddef>
 #include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "tutavia/core/assert.hpp"
-#include "tutavia/geometry/arc.hpp"
-#include "tutavia/geometry/bezier.hpp"
-#include "tutavia/geometry/clothoid.hpp"
 #include "tutavia/geometry/curvature.hpp"
-#include "tutavia/geometry/segment.hpp"
+#include "tutavia/geometry/piece.hpp"
 
 /// \file
 /// Curve: a chain of pieces, addressed by arc length.
 
 namespace tutavia {
-
-/// One part of a curve. Every kind has start(), end(), point(t), derivative(t),
-/// second_derivative(t), start_direction(), end_direction(), length(), length_to(t), box(),
-/// is_finite(), part(from, to), reversed(), nearest_parameter(p) and, where it is not straight or
-/// circular, deviation() and halves().
-using Piece = std::variant<Segment, QuadraticBezier, CubicBezier, Arc, Clothoid>;
-
-/// `f` of the piece as what it is. Does what std::visit does by a switch, which costs each file
-/// that includes the header a tenth of the functions.
-template <class F>
-decltype(auto) visit_piece(const Piece& piece, F&& f) {
-  switch (piece.index()) {
-    case 0:
-      return f(*std::get_if<0>(&piece));
-    case 1:
-      return f(*std::get_if<1>(&piece));
-    case 2:
-      return f(*std::get_if<2>(&piece));
-    case 3:
-      return f(*std::get_if<3>(&piece));
-    default:
-      static_assert(std::variant_size_v<Piece> == 5);
-      return f(*std::get_if<4>(&piece));
-  }
-}
 
 /// What a curve does at one place.
 struct CurvePoint {
@@ -61,19 +32,9 @@ struct NearestPoint {
   double distance = 0;  ///< [m]
 };
 
-/// Start of a piece of any kind.
-inline Point start_of(const Piece& piece) {
-  return visit_piece(piece, [](const auto& p) -> Point { return p.start(); });
-}
-
-/// End of a piece of any kind.
-inline Point end_of(const Piece& piece) {
-  return visit_piece(piece, [](const auto& p) -> Point { return p.end(); });
-}
-
 /// Largest magnitude of the curvature of a piece of any kind [1/m].
 inline double max_curvature(const Piece& piece) {
-  return visit_piece(piece, [](const auto& p) { return max_curvature(p); });
+  return piece.visit([](const auto& p) { return max_curvature(p); });
 }
 
 namespace detail {
@@ -143,7 +104,7 @@ class Curve {
   /// \pre the piece starts where the curve ends
   void push_back(const Piece& piece) {
     TUTAVIA_ASSERT(pieces_.empty() || start_of(piece) == end());
-    ends_.push_back(length() + visit_piece(piece, [](const auto& p) { return p.length(); }));
+    ends_.push_back(length() + piece.visit([](const auto& p) { return p.length(); }));
     pieces_.push_back(piece);
   }
 
@@ -162,8 +123,7 @@ class Curve {
   /// \pre not empty
   CurvePoint at(double s) const {
     const auto [i, t] = locate(s);
-    CurvePoint result =
-        visit_piece(pieces_[i], [t = t](const auto& p) { return detail::state(p, t); });
+    CurvePoint result = pieces_[i].visit([t = t](const auto& p) { return detail::state(p, t); });
     result.s = std::clamp(s, 0.0, length());
     return result;
   }
@@ -182,7 +142,7 @@ class Curve {
       return {i - 1, 1.0};
     }
     const double local = s - length_before(i), total = ends_[i] - length_before(i);
-    return {i, visit_piece(pieces_[i], [&](const auto& p) {
+    return {i, pieces_[i].visit([&](const auto& p) {
               return detail::parameter_at(p, local, total, local / total);
             })};
   }
@@ -207,10 +167,10 @@ class Curve {
       if (gap < best.distance) best = {0, position, gap}, nearest_piece = i, parameter = t;
     };
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      visit_piece(pieces_[i], [&](const auto& piece) { look_at(i, piece); });
+      pieces_[i].visit([&](const auto& piece) { look_at(i, piece); });
     }
-    const double local = visit_piece(pieces_[nearest_piece],
-                                     [&](const auto& piece) { return piece.length_to(parameter); });
+    const double local =
+        pieces_[nearest_piece].visit([&](const auto& piece) { return piece.length_to(parameter); });
     best.s = std::min(length_before(nearest_piece) + local, ends_[nearest_piece]);
     return best;
   }
@@ -226,7 +186,7 @@ class Curve {
     if (std::min(behind, ahead) <= 1e-12 * length()) t = behind < ahead ? 0 : 1;
     Curve first, second;
     for (std::size_t k = 0; k < i; ++k) first.push_back(pieces_[k]);
-    visit_piece(pieces_[i], [&, t = t](const auto& piece) {
+    pieces_[i].visit([&, t = t](const auto& piece) {
       if (t > 0) first.push_back(piece.part(0, t));
       if (t < 1) second.push_back(piece.part(t, 1));
     });
@@ -241,7 +201,7 @@ class Curve {
     Curve result;
     result.reserve(pieces_.size());
     for (std::size_t i = pieces_.size(); i-- > 0;) {
-      visit_piece(pieces_[i], [&](const auto& piece) { result.push_back(piece.reversed()); });
+      pieces_[i].visit([&](const auto& piece) { result.push_back(piece.reversed()); });
     }
     return result;
   }

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <variant>
 #include <vector>
 
 #include "tutavia/core/assert.hpp"
@@ -61,7 +60,7 @@ inline std::vector<CurvePoint> resample(const Curve& curve, double ds) {
     const double before = curve.length_before(piece);
     const double total = curve.length_before(piece + 1) - before;
     const auto go = [&](const auto& p) { return walk.go_to(p, s - before, total); };
-    states.push_back(visit_piece(curve.pieces()[piece], go));
+    states.push_back(curve.pieces()[piece].visit(go));
     states.back().s = s;
   }
   states.push_back(curve.at(length));

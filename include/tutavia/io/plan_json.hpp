@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <type_traits>
-#include <variant>
 
 #include "tutavia/core/error.hpp"
 #include "tutavia/planner.hpp"
@@ -33,7 +32,7 @@ inline ResultJson to_json(const Point& p) { return {p.x(), p.y()}; }
 inline ResultJson to_json(const Curve& curve) {
   ResultJson result = ResultJson::array();
   for (const Piece& any : curve.pieces()) {
-    result.push_back(visit_piece(any, [](const auto& piece) -> ResultJson {
+    result.push_back(any.visit([](const auto& piece) -> ResultJson {
       if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Segment>) {
         return {{"type", "line"}, {"points", {to_json(piece.a), to_json(piece.b)}}};
       } else if constexpr (std::is_same_v<std::decay_t<decltype(piece)>, Arc>) {

@@ -193,13 +193,13 @@ class SvgPicture {
     if (curve.empty()) return {};
     std::string d = "M" + at(curve.start());
     for (const Piece& any : curve.pieces()) {
-      if (const auto* segment = std::get_if<Segment>(&any)) {
+      if (const auto* segment = any.get_if<Segment>()) {
         d += "L" + at(segment->b);
-      } else if (const auto* q = std::get_if<QuadraticBezier>(&any)) {
+      } else if (const auto* q = any.get_if<QuadraticBezier>()) {
         d += "Q" + at(q->points[1]) + " " + at(q->points[2]);
-      } else if (const auto* c = std::get_if<CubicBezier>(&any)) {
+      } else if (const auto* c = any.get_if<CubicBezier>()) {
         d += "C" + at(c->points[1]) + " " + at(c->points[2]) + " " + at(c->points[3]);
-      } else if (const auto* arc = std::get_if<Arc>(&any)) {
+      } else if (const auto* arc = any.get_if<Arc>()) {
         // Two halves, because SVG cannot tell a full circle from none; y points down there.
         const bool is_clockwise = (arc->sweep > 0) == options_.y_down;
         const std::string radius = number(arc->radius * scale_);
@@ -207,7 +207,7 @@ class SvgPicture {
           d.append("A").append(radius).append(" ").append(radius);
           d.append(is_clockwise ? " 0 0 1 " : " 0 0 0 ").append(at(arc->point(t)));
         }
-      } else if (const auto* clothoid = std::get_if<Clothoid>(&any)) {
+      } else if (const auto* clothoid = any.get_if<Clothoid>()) {
         d += clothoid_path(*clothoid);
       }
     }

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <optional>
 #include <type_traits>
-#include <variant>
 
 #include "tutavia/certify/certificate.hpp"
 #include "tutavia/geometry/curvature.hpp"
@@ -104,7 +103,7 @@ inline PathMetrics measure(const Curve& curve) {
   Point heading = Point::Zero();  // at the end of what lies behind
   double bend = 0;                // the curvature there
   for (const Piece& any : curve.pieces()) {
-    visit_piece(any, [&](const auto& piece) {
+    any.visit([&](const auto& piece) {
       using P = std::decay_t<decltype(piece)>;
       if (is_null(piece.start_direction())) return;  // a single point
       if (!is_null(heading)) {

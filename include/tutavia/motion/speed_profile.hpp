@@ -9,7 +9,6 @@
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "tutavia/core/assert.hpp"
@@ -128,7 +127,7 @@ inline std::vector<SpeedStretch> SpeedProfile::intervals(const Curve& curve,
     result.push_back({length, std::min(limits.speed * limits.speed, limits.lateral / curvature)});
   };
   for (const Piece& piece : curve.pieces()) {
-    visit_piece(piece, [&](const auto& p) {
+    piece.visit([&](const auto& p) {
       const std::size_t parts = parts_of(p);
       if (parts == 1) return add(p.length(), max_curvature(p));
       for (std::size_t i = 0; i < parts; ++i) {
@@ -148,9 +147,8 @@ inline std::vector<double> SpeedProfile::joint_limits(const Curve& curve, const 
   std::size_t at = 0;
   for (const Piece& piece : curve.pieces()) {
     const auto direction = [&](bool end) {
-      return visit_piece(piece, [&](const auto& p) -> Point {
-        return end ? p.end_direction() : p.start_direction();
-      });
+      return piece.visit(
+          [&](const auto& p) -> Point { return end ? p.end_direction() : p.start_direction(); });
     };
     if (!is_null(direction(false))) {
       const bool is_corner =
@@ -158,7 +156,7 @@ inline std::vector<double> SpeedProfile::joint_limits(const Curve& curve, const 
       if (is_corner) squares[at] = 0;
       before = direction(true);
     }
-    at += visit_piece(piece, [](const auto& p) { return parts_of(p); });
+    at += piece.visit([](const auto& p) { return parts_of(p); });
   }
   return squares;
 }

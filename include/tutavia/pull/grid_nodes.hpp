@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <variant>
 
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -27,7 +26,7 @@ Curve split_at_nodes([[maybe_unused]] const S& space, const Curve& curve) {
     };
     Curve result;
     for (const Piece& piece : curve.pieces()) {
-      const Segment* run = std::get_if<Segment>(&piece);
+      const Segment* run = piece.get_if<Segment>();
       if (run != nullptr) {
         const Cell from = frame.nearest_cell(run->a), to = frame.nearest_cell(run->b);
         const int dx = to.x - from.x, dy = to.y - from.y;

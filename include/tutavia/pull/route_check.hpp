@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "tutavia/certify/piece_proof.hpp"
@@ -29,7 +28,7 @@ Expected<void, Failure> check_free(const S& space, const Curve& curve, const Bud
       if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
     }
     const Piece& piece = curve.pieces()[i];
-    if (visit_piece(piece, [&](const auto& p) { return is_proved_free(space, p); })) continue;
+    if (piece.visit([&](const auto& p) { return is_proved_free(space, p); })) continue;
     const Point a = start_of(piece), b = end_of(piece);
     return fail(PlanError::invalid_input, "segment " + std::to_string(i) + " of the route, from " +
                                               to_text(a) + " to " + to_text(b) + ", is not free");
@@ -50,7 +49,7 @@ Expected<Curve, Failure> free_steps(const S& space, const Curve& curve, const Bu
 
 /// `invalid_input` for a curve with pieces that are not straight, which `taker` does not take.
 inline Expected<void, Failure> check_polyline(const Curve& curve, std::string_view taker) {
-  const auto is_straight = [](const Piece& p) { return std::holds_alternative<Segment>(p); };
+  const auto is_straight = [](const Piece& p) { return p.holds<Segment>(); };
   if (std::all_of(curve.pieces().begin(), curve.pieces().end(), is_straight)) return {};
   return fail(PlanError::invalid_input, std::string(taker) + " takes polylines only");
 }

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "tutavia/core/budget.hpp"
@@ -39,7 +38,7 @@ struct Shortcut {
       const auto sees = [&](std::size_t j) { return space.segment_free(points[i], points[j]); };
       const std::size_t last = farthest_looking_ahead(i, points.size() - 1, sees);
       const Piece& original = curve->pieces()[i];
-      if (last > i + 1 || (!std::holds_alternative<Segment>(original) && sees(last))) {
+      if (last > i + 1 || (!original.holds<Segment>() && sees(last))) {
         result.push_back(Segment{points[i], points[last]});
       } else {
         result.push_back(original);

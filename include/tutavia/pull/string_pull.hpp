@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "tutavia/core/budget.hpp"
@@ -184,7 +183,7 @@ struct StringPull {
     detail::PortalTrace trace(space);
     for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
       if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while pulling a string");
-      const Segment* segment = std::get_if<Segment>(&curve.pieces()[i]);
+      const Segment* segment = curve.pieces()[i].get_if<Segment>();
       if (segment == nullptr) return broken(i, " is not straight");
       const bool within =
           space.bounds().contains(segment->a) && space.bounds().contains(segment->b);

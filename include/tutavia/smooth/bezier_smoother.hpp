@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "tutavia/certify/piece_proof.hpp"
@@ -76,7 +75,7 @@ struct BezierSmoother {
       if (corners[i].is_round) result.push_back(corners[i].piece);
       const double from = corners[i].to, to = corners[i + 1].from;
       if (from < to) {
-        visit_piece(input.pieces()[i], [&](const auto& p) { result.push_back(p.part(from, to)); });
+        input.pieces()[i].visit([&](const auto& p) { result.push_back(p.part(from, to)); });
       }
     }
     return result;
@@ -98,7 +97,7 @@ struct BezierSmoother {
 
   /// The place at arc length s of a piece of length `total`.
   static Place place(const Piece& piece, double s, double total) {
-    return visit_piece(piece, [&](const auto& p) {
+    return piece.visit([&](const auto& p) {
       const double t = detail::parameter_at(p, s, total, s / total);
       Point direction = p.derivative(t);
       const double speed = direction.norm();
@@ -113,8 +112,8 @@ struct BezierSmoother {
     const Piece &in = curve.pieces()[i - 1], &out = curve.pieces()[i];
     const double before = curve.length_before(i) - curve.length_before(i - 1);
     const double after = curve.length_before(i + 1) - curve.length_before(i);
-    const Point u = visit_piece(in, [](const auto& p) -> Point { return p.end_direction(); });
-    const Point v = visit_piece(out, [](const auto& p) -> Point { return p.start_direction(); });
+    const Point u = in.visit([](const auto& p) -> Point { return p.end_direction(); });
+    const Point v = out.visit([](const auto& p) -> Point { return p.start_direction(); });
     // Straight on, or straight back: nothing to round.
     if (!(std::abs(cross(u, v)) > 1e-9 * std::abs(u.dot(v))) || before == 0 || after == 0) {
       return {};
@@ -139,8 +138,8 @@ struct BezierSmoother {
                            const Rounding& after) {
     if (!before.is_round && !after.is_round) return true;
     if (before.to >= after.from) return before.to == after.from;  // nothing is left
-    return visit_piece(
-        piece, [&](const auto& p) { return is_proved_free(space, p.part(before.to, after.from)); });
+    return piece.visit(
+        [&](const auto& p) { return is_proved_free(space, p.part(before.to, after.from)); });
   }
 };
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/error.hpp"
@@ -84,8 +83,8 @@ struct ClothoidSmoother {
   static Expected<Curve, Failure> taut(const S& space, const Curve& input, const Budget& budget) {
     bool has_arcs = false;
     for (const Piece& piece : input.pieces()) {
-      if (std::holds_alternative<Segment>(piece)) continue;
-      if (!std::holds_alternative<Arc>(piece)) {
+      if (piece.holds<Segment>()) continue;
+      if (!piece.holds<Arc>()) {
         return fail(PlanError::invalid_input,
                     "the clothoid smoother takes curves of segments and arcs");
       }

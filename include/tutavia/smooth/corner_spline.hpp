@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "tutavia/certify/piece_proof.hpp"
@@ -49,7 +48,7 @@ class CornerSpline {
       const std::vector<Part> parts = this->parts();
       bool proved = true;
       for (const Part& part : parts) {
-        if (visit_piece(part.piece, [&](const auto& p) { return is_proved_free(space, p); })) {
+        if (part.piece.visit([&](const auto& p) { return is_proved_free(space, p); })) {
           continue;
         }
         proved = false;
@@ -131,7 +130,7 @@ class CornerSpline {
         }
         straight = none;
       } else if (straight != none && from <= straight && straight <= to) {
-        std::get<Segment>(parts.back().piece).b = piece.end();
+        parts.back().piece = Segment{start_of(parts.back().piece), piece.end()};
       } else if (piece.start() != piece.end()) {
         parts.push_back({Segment{piece.start(), piece.end()}, {from, from + 1}});
         straight = from;

@@ -8,7 +8,6 @@
 #include <span>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "tutavia/certify/piece_proof.hpp"
@@ -133,7 +132,7 @@ class SplineSections {
 
   /// Appends a proved segment; as part of the one before where both lie on one line.
   void append(const Segment& segment) {
-    const Segment* before = result_.empty() ? nullptr : std::get_if<Segment>(&result_.back());
+    const Segment* before = result_.empty() ? nullptr : result_.back().get_if<Segment>();
     if (before != nullptr) {
       const Segment both{before->a, segment.b};
       const bool on_line = (segment.b - segment.a).dot(before->b - before->a) > 0 &&

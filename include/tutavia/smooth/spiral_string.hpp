@@ -8,7 +8,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "tutavia/certify/piece_proof.hpp"
@@ -127,7 +126,7 @@ class SpiralString {
     add(curve.start(), 0, 0);
     Point direction = Point::Zero();
     for (const Piece& piece : curve.pieces()) {
-      if (const Arc* arc = std::get_if<Arc>(&piece)) {
+      if (const Arc* arc = piece.get_if<Arc>()) {
         if (!is_null(direction)) {
           const double turn = deflection(direction, arc->start_direction());
           had_corner_ = had_corner_ || std::abs(turn) > 1e-6;
@@ -141,7 +140,7 @@ class SpiralString {
           add(arc->center, arc->radius, arc->sweep);
         }
         direction = arc->end_direction();
-      } else if (const Segment& way = std::get<Segment>(piece); way.length() > space_.slack()) {
+      } else if (const Segment& way = *piece.get_if<Segment>(); way.length() > space_.slack()) {
         const double turn = is_null(direction) ? 0 : deflection(direction, way.start_direction());
         if (std::abs(turn) > 1e-6) add(way.a, 0, turn);
         direction = way.end_direction();
