@@ -15,11 +15,14 @@ LAYERS = {
     "pull": 5,
     "search": 6,
     "smooth": 7, "metrics": 7, "motion": 7,
-    "io": 8, "planner.hpp": 8, "batch.hpp": 8, "optimum.hpp": 8, "registry.hpp": 8,
+    "io": 8, "planner.hpp": 8, "batch.hpp": 8, "optimum.hpp": 8,
+    "any_algorithm.hpp": 8, "registry.hpp": 8,
     "tutavia.hpp": 9,
 }
-# Within layer 8: input and output may name the plan that they write, batches plan.
-WITHIN_LAYER = {("io", "planner.hpp"), ("batch.hpp", "planner.hpp")}
+# Within layer 8: input and output may name the plan that they write, batches plan, the registry
+# lists erased algorithms.
+WITHIN_LAYER = {("io", "planner.hpp"), ("batch.hpp", "planner.hpp"),
+                ("registry.hpp", "any_algorithm.hpp")}
 
 
 def unit(path):
@@ -53,7 +56,8 @@ def complaints(root):
     umbrella = (root / "include/tutavia/tutavia.hpp").read_text()
     for header in sorted((root / "include/tutavia").rglob("*.hpp")):
         name = header.relative_to(root / "include/tutavia").as_posix()
-        left_out = name in ("tutavia.hpp", "registry.hpp") or name.endswith("_json.hpp")
+        left_out = (name in ("tutavia.hpp", "any_algorithm.hpp", "registry.hpp")
+                    or name.endswith("_json.hpp"))
         if not left_out and f'"tutavia/{name}"' not in umbrella:
             yield f"tutavia.hpp: does not include {name}"
 

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <typeinfo>
+
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/error.hpp"
+#include "tutavia/core/expected.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/query.hpp"
+#include "tutavia/search/route.hpp"
+#include "tutavia/search/search_record.hpp"
+#include "tutavia/smooth/concepts.hpp"
+
+/// \file
+/// AnySearch and AnySmoother: one type for every search and one for every smoother.
+
+namespace tutavia {
+
+/// Scratch memory of whichever search it was last handed to. Not to be copied, as that of some
+/// searches is not.
+class AnyScratch {
+ public:
+  /// The scratch memory of one kind, made anew where it is another's.
+  template <class Scratch>
+  Scratch& get() {
+    if (memory_ == nullptr || *kind_ != typeid(Scratch)) {
+      memory_ = {new Scratch{}, [](void* memory) { delete static_cast<Scratch*>(memory); }};
+      kind_ = &typeid(Scratch);
+    }
+    return *static_cast<Scratch*>(memory_.get());
+  }
+
+ private:
+  std::unique_ptr<void, void (*)(void*)> memory_{nullptr, [](void*) {}};
+  const std::type_info* kind_ = nullptr;
+};
+
+/// Any searcher on spaces of type S.
+template <class S>
+struct AnySearch {
+  using Scratch = AnyScratch;
+
+  std::string_view name{};
+  std::function<Expected<Route, Failure>(const S&, const Query&, Scratch&, SearchRecord*)> run{};
+
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  NoObserver&) const {
+    return run(space, query, scratch, nullptr);
+  }
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  SearchRecord& record) const {
+    return run(space, query, scratch, &record);
+  }
+};
+
+/// Any smoother on spaces of type S.
+template <class S>
+struct AnySmoother {
+  std::string name{};
+  std::function<Expected<Curve, Failure>(const S&, const Curve&, const Budget&)> run{};
+
+  Expected<Curve, Failure> smooth(const S& space, const Curve& curve, const Budget& budget) const {
+    return run(space, curve, budget);
+  }
+};
+
+namespace detail {
+
+/// An observer that may be there or not; one for both, so that every search is compiled once.
+struct OptionalRecord {
+  SearchRecord* record;
+  void expanded(const Point& p) {
+    if (record != nullptr) record->expanded(p);
+  }
+  void generated(const Point& p) {
+    if (record != nullptr) record->generated(p);
+  }
+  void grown(const Segment& interval, const Box& rectangle) {
+    if (record != nullptr) record->grown(interval, rectangle);
+  }
+};
+
+}  // namespace detail
+
+template <class S, Searcher<S> A>
+AnySearch<S> erase_search(const A& algorithm) {
+  return {A::name,
+          [algorithm](const S& space, const Query& query, AnyScratch& any, SearchRecord* record) {
+            auto& scratch = any.get<typename A::Scratch>();
+            detail::OptionalRecord observer{record};
+            const auto add = [&](const Point& a, const Point& b) { record->edge(a, b); };
+            constexpr bool grows_tree = requires { scratch.for_each_edge(add); };
+            // A query that fails early must not report the tree of the query before.
+            if constexpr (grows_tree) scratch.clear();
+            auto route = algorithm.search(space, query, scratch, observer);
+            if constexpr (grows_tree) {
+              if (record != nullptr) scratch.for_each_edge(add);
+            }
+            return route;
+          }};
+}
+
+template <class S, Smoother<S> A>
+AnySmoother<S> erase_smoother(const A& algorithm) {
+  return {std::string(A::name),
+          [algorithm](const S& space, const Curve& curve, const Budget& budget) {
+            return algorithm.smooth(space, curve, budget);
+          }};
+}
+
+/// Two smoothers one after the other, named "first+second"; see Pipeline.
+template <class S>
+AnySmoother<S> chain(const AnySmoother<S>& first, const AnySmoother<S>& second) {
+  return {first.name + "+" + second.name,
+          [first, second](const S& space, const Curve& curve, const Budget& budget) {
+            auto result = first.smooth(space, curve, budget);
+            return result ? second.smooth(space, *result, budget) : result;
+          }};
+}
+
+}  // namespace tutavia
