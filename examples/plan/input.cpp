@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tutavia/io/geo_json.hpp"
+#include "tutavia/io/moving_ai.hpp"
+#include "tutavia/io/read_file.hpp"
+#include "tutavia/io/ros_map.hpp"
+#include "tutavia/io/wkt.hpp"
+#include "tutavia/io/workspace_json.hpp"
+#include "tutavia/world/maps.hpp"
+#include "tutavia/world/workspace_report.hpp"
+#include "usage_error.hpp"
+
+namespace plan_program {
+
+namespace {
+
+std::string extension(const std::string& path) {
+  return std::filesystem::path(path).extension().string();
+}
+
+void print_warnings(const std::string& path, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    std::cerr << "tutavia-plan: " << path << ": " << warning << '\n';
+  }
+}
+
+SceneFile read_workspace(const std::string& path) {
+  if (extension(path) == ".json") return value_or_throw(read_scene_json(path));
+  if (extension(path) == ".geojson") return value_or_throw(read_geo_json(path));
+  if (extension(path) == ".wkt") {
+    WktObstacles read = value_or_throw(read_file(path, parse_wkt));
+    SceneFile file{.scene = {}, .warnings = std::move(read.warnings)};
+    file.scene.workspace.obstacles = std::move(read.obstacles);
+    file.scene.workspace.safety_radius = std::numeric_limits<double>::quiet_NaN();
+    return file;
+  }
+  throw UsageError{path + ": unknown kind of file (.json, .geojson or .wkt)"};
+}
+
+Scene load_scene(const Arguments& args) {
+  if (!args.workspace.empty()) {
+    SceneFile file = read_workspace(args.workspace);
+    print_warnings(args.workspace, file.warnings);
+    return std::move(file.scene);
+  }
+  if (args.map.empty() || args.map == "maze") return maps::maze();
+  if (args.map == "array") return maps::array();
+  if (args.map == "complex") return maps::complex();
+  if (args.map == "rrt_scene_1") return maps::rrt_scene_1();
+  if (args.map == "rrt_scene_2") return maps::rrt_scene_2();
+  throw UsageError{"--map: unknown map \"" + args.map +
+                   "\" (array, complex, maze, rrt_scene_1 or rrt_scene_2)"};
+}
+
+/// Bounds for files without them: a box around everything in the scene, a tenth larger and with
+/// room for the robot to pass outside.
+Box bounds_around(const Scene& scene) {
+  Box box = scene.workspace.extent();
+  box.include(scene.start);
+  for (const Point& goal : scene.goals) box.include(goal);
+  return box.inflated(
+      std::max(0.1 * std::max(box.width(), box.height()), 4 * scene.workspace.safety_radius));
+}
+
+void override_start_and_goals(const Arguments& args, Scene& scene) {
+  if (!args.start.empty()) scene.start = parse_point("--start", args.start);
+  if (!args.goals.empty()) scene.goals.clear();
+  for (const std::string& goal : args.goals) scene.goals.push_back(parse_point("--goal", goal));
+  if (!is_finite(scene.start)) throw UsageError{"no start: give --start X,Y"};
+  if (scene.goals.empty()) throw UsageError{"no goal: give --goal X,Y"};
+  if (args.time_limit && !(*args.time_limit >= 0)) {
+    throw UsageError{"--time-limit must not be negative"};
+  }
+}
+
+void override_workspace(const Arguments& args, Scene& scene) {
+  Workspace& workspace = scene.workspace;
+  if (args.radius) {
+    workspace.safety_radius = *args.radius;
+  } else if (std::isnan(workspace.safety_radius)) {
+    throw UsageError{"no safety radius: give --radius R"};
+  }
+  if (!args.bounds.empty()) {
+    const auto b = parse_numbers("--bounds", args.bounds, 4, "X0,Y0,X1,Y1");
+    workspace.bounds = {{b[0], b[1]}, {b[2], b[3]}};
+  } else if (!is_finite(workspace.bounds.min)) {
+    workspace.bounds = bounds_around(scene);
+  }
+  if (args.resolution) {
+    scene.resolution = *args.resolution;
+  } else if (scene.resolution == 0) {
+    scene.resolution = std::max(workspace.bounds.width(), workspace.bounds.height()) / 200;
+  }
+}
+
+void refuse_self_crossing(const Workspace& workspace) {
+  const auto& crossing = inspect(workspace).self_crossing;
+  if (crossing.empty()) return;
+  throw UsageError{"obstacles[" + std::to_string(crossing.front()) + "] crosses itself (--strict)"};
+}
+
+Task load_workspace(const Arguments& args) {
+  Scene scene = load_scene(args);
+  override_start_and_goals(args, scene);
+  override_workspace(args, scene);
+  throw_failure(validate(scene.workspace));
+  if (args.strict) refuse_self_crossing(scene.workspace);
+  LatticeSpace space =
+      value_or_throw(LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}));
+  return {.scene = std::move(scene), .space = std::move(space)};
+}
+
+CellSpace load_ros_map(const Arguments& args, CellOptions options) {
+  const RosMap map = value_or_throw(read_ros_map(args.grid));
+  print_warnings(args.grid, map.warnings);
+  if (map.yaw != 0) {
+    throw UsageError{args.grid +
+                     ": a map turned by its origin's yaw is not read here (turn the "
+                     "points with to_grid_frame of the library)"};
+  }
+  options.resolution = map.resolution;
+  options.origin = map.origin;
+  const auto unknown = args.unknown == "free" ? UnknownCells::free : UnknownCells::blocked;
+  return value_or_throw(CellSpace::build(value_or_throw(to_grid(map, unknown)), options));
+}
+
+CellSpace load_cells(const Arguments& args) {
+  if (args.resolution || !args.bounds.empty()) {
+    throw UsageError{"--grid brings its own resolution and bounds"};
+  }
+  const CellOptions options{.safety_radius = args.radius.value_or(0)};
+  const std::string kind = extension(args.grid);
+  if (kind == ".yaml" || kind == ".yml") return load_ros_map(args, options);
+  if (kind != ".map") throw UsageError{args.grid + ": unknown kind of file (.map or .yaml)"};
+  return value_or_throw(CellSpace::build(value_or_throw(read_moving_ai_map(args.grid)), options));
+}
+
+Task load_grid(const Arguments& args) {
+  CellSpace space = load_cells(args);
+  Scene scene;
+  scene.name = std::filesystem::path(args.grid).filename().string();
+  override_start_and_goals(args, scene);
+  scene.workspace = {.bounds = space.bounds(), .safety_radius = space.safety_radius()};
+  return {.scene = std::move(scene),
+          .space = std::move(space),
+          .y_down = extension(args.grid) == ".map"};
+}
+
+}  // namespace
+
+Task load_task(const Arguments& args) {
+  return args.grid.empty() ? load_workspace(args) : load_grid(args);
+}
+
+}  // namespace plan_program

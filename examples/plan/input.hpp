@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options.hpp"
+#include "planning_space.hpp"
+#include "tutavia/world/scene.hpp"
+
+/// \file
+/// Input: built-in maps, workspace files and grid maps, with what the command line overrides.
+
+namespace plan_program {
+
+/// A space with a start and goals to plan in it.
+struct Task {
+  Scene scene;  ///< of a grid map without its obstacles
+  PlanningSpace space;
+  bool y_down = false;  ///< in pictures
+};
+
+/// Loads what the command line names. Warnings of files go to stderr. Throws UsageError.
+Task load_task(const Arguments& args);
+
+}  // namespace plan_program

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "json_output.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+
+#include "tutavia/io/plan_json.hpp"
+#include "tutavia/io/trace_json.hpp"
+#include "tutavia/io/write_file.hpp"
+#include "usage_error.hpp"
+
+namespace plan_program {
+
+namespace {
+
+ResultHeader header_of(const Scene& scene, const Result& result) {
+  return {result.search, result.smoother, scene.start, result.goal, scene.workspace.safety_radius};
+}
+
+}  // namespace
+
+void write_results(const std::string& path, const Scene& scene, const std::vector<Group>& groups) {
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  for (const Group& group : groups) {
+    for (const Result& result : group) {
+      const ResultHeader header = header_of(scene, result);
+      results.push_back(result.plan ? result_to_json(header, *result.plan, result.optimum)
+                                    : result_to_json(header, result.plan.error()));
+    }
+  }
+  const std::string text = result_file(std::move(results)).dump(1) + "\n";
+  if (path == "-") {
+    std::cout << text << std::flush;
+    if (!std::cout) throw UsageError{"cannot write to stdout"};
+  } else {
+    throw_failure(write_file(path, text));
+  }
+}
+
+TraceFile::TraceFile(const std::string& path) : path_(path) {
+  if (path.empty()) return;
+  file_.open(path, std::ios::binary | std::ios::trunc);
+  check();
+}
+
+bool TraceFile::takes(const std::string& search) {
+  return !path_.empty() && searches_.insert(search).second;
+}
+
+void TraceFile::write(const Scene& scene, const Result& result, const SearchRecord& record) {
+  const std::string_view status = result.plan ? "success" : to_string(result.plan.error().code);
+  std::string text;
+  append_trace(text, header_of(scene, result), status, record);
+  file_ << text;
+  check();
+}
+
+void TraceFile::close() {
+  if (path_.empty()) return;
+  file_.close();
+  check();
+}
+
+void TraceFile::check() const {
+  if (!file_) throw UsageError{"cannot write " + path_ + ": " + std::strerror(errno)};
+}
+
+}  // namespace plan_program

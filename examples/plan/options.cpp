@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <system_error>
+
+#include "usage_error.hpp"
+
+namespace plan_program {
+
+namespace {
+
+void define_input_options(CLI::App& app, Arguments& args) {
+  auto* map = app.add_option("--map", args.map,
+                             "Built-in map: array, complex, maze, rrt_scene_1 or rrt_scene_2");
+  app.add_option("--workspace", args.workspace, "Workspace file (.json, .geojson or .wkt)")
+      ->excludes(map);
+  app.add_option("--grid", args.grid, "Grid map: MovingAI (.map) or ROS map_server (.yaml)")
+      ->excludes(map)
+      ->excludes("--workspace");
+  app.add_option("--unknown", args.unknown, "Unknown cells of a ROS map: blocked or free")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"blocked", "free"}));
+  app.add_option("--start", args.start, "Start, as X,Y in metres");
+  app.add_option("--goal", args.goals, "Goal, as X,Y; may be repeated. Default: every goal given")
+      ->allow_extra_args(false);
+  app.add_option("--radius", args.radius, "Safety radius in metres");
+  app.add_option("--bounds", args.bounds, "Bounds as X0,Y0,X1,Y1 in metres");
+  app.add_flag("--strict", args.strict, "Refuse polygons that cross themselves");
+  app.add_option("--resolution", args.resolution, "Lattice spacing in metres");
+}
+
+void define_planning_options(CLI::App& app, Arguments& args) {
+  app.add_option("--search", args.search, "Search, or a comma list of them (any_angle: on grids)")
+      ->capture_default_str();
+  app.add_option("--smoother", args.smoother,
+                 "Smoother, or a comma list of them; A+B is a pipeline: B smooths what A made")
+      ->capture_default_str();
+  app.add_option("--seed", args.seed, "Seed for searches that draw random numbers");
+  app.add_option("--time-limit", args.time_limit, "Seconds per query");
+}
+
+void define_output_options(CLI::App& app, Arguments& args) {
+  app.add_option("--json", args.json, "Write the results as JSON; - for stdout");
+  app.add_option("--svg", args.svg, "Draw the plans");
+  app.add_option("--trace", args.trace,
+                 "Write what the searches did, a line of JSON for each step");
+  app.add_flag("--compare", args.compare,
+               "All searches with the smoother, and all smoothers with the search");
+  app.add_flag("--list", args.list, "Print the names of searches and smoothers");
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<Arguments> parse_command_line(int argc, const char* const* argv) {
+  CLI::App app{"Plans safe, smooth, short paths for a disc-shaped robot; every path is proved.",
+               "tutavia-plan"};
+  Arguments args;
+  define_input_options(app, args);
+  define_planning_options(app, args);
+  define_output_options(app, args);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw UsageError{error.what()};
+    app.exit(error);  // --help
+    return std::nullopt;
+  }
+  if (argc == 1) args.svg = "maze.svg";
+  return args;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+std::vector<double> parse_numbers(const std::string& option, const std::string& text,
+                                  std::size_t count, const char* form) {
+  const std::vector<std::string> parts = split(text, ',');
+  std::vector<double> numbers;
+  for (const std::string& part : parts) {
+    const auto number = parse_number(part);
+    if (number && std::isfinite(*number)) numbers.push_back(*number);
+  }
+  if (parts.size() == count && numbers.size() == count) return numbers;
+  throw UsageError{option + ": expected " + form + " with finite numbers, got \"" + text + "\""};
+}
+
+Point parse_point(const std::string& option, const std::string& text) {
+  const std::vector<double> numbers = parse_numbers(option, text, 2, "X,Y");
+  return {numbers[0], numbers[1]};
+}
+
+}  // namespace plan_program

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tutavia/geometry/point.hpp"
+
+/// \file
+/// The command line of tutavia-plan.
+
+namespace plan_program {
+
+using tutavia::Point;
+
+/// The options as given. An empty text means that the option was not given.
+struct Arguments {
+  std::string map{};
+  std::string workspace{};
+  std::string grid{};
+  std::string unknown = "blocked";
+  std::string start{};
+  std::vector<std::string> goals{};
+  std::optional<double> radius{};
+  std::string bounds{};
+  bool strict = false;
+  std::optional<double> resolution{};
+  std::string search = "astar";
+  std::string smoother = "delta";
+  std::uint64_t seed = 0;
+  std::optional<double> time_limit{};
+  std::string json{};
+  std::string svg{};
+  std::string trace{};
+  bool compare = false;
+  bool list = false;
+
+  /// Whether stdout shows tables; `--json -` puts the results there instead.
+  bool prints_tables() const { return json != "-"; }
+};
+
+/// Reads the command line. Nothing where it asks for help, which is then printed. Without any
+/// option the picture goes to maze.svg. Throws UsageError.
+std::optional<Arguments> parse_command_line(int argc, const char* const* argv);
+
+/// The parts of a text between separators, including empty ones.
+std::vector<std::string> split(const std::string& text, char separator);
+
+/// Reads `count` finite numbers from a comma list. Throws a UsageError that names the option and
+/// the expected form, such as "X,Y".
+std::vector<double> parse_numbers(const std::string& option, const std::string& text,
+                                  std::size_t count, const char* form);
+
+/// Reads a point from "X,Y". Throws UsageError.
+Point parse_point(const std::string& option, const std::string& text);
+
+}  // namespace plan_program

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "plan_goals.hpp"
+
+#include <utility>
+
+#include "tutavia/core/budget.hpp"
+
+namespace plan_program {
+
+namespace {
+
+/// Adds the figures that take longer than most queries.
+void add_figures(const PlanningSpace& space, const Query& query, Result& result) {
+  if (!result.plan) return;
+  PathMetrics& metrics = result.plan->metrics;
+  metrics.mean_clearance = mean_clearance_of(space, result.plan->curve);
+  result.optimum = optimum_of(space, query, metrics.length);
+}
+
+/// The events that pictures show: everything but single nodes.
+std::vector<SearchEvent> drawings_of(SearchRecord&& record) {
+  std::erase_if(record.events, [](const SearchEvent& event) {
+    return event.kind == SearchEvent::Kind::expanded || event.kind == SearchEvent::Kind::generated;
+  });
+  return std::move(record.events);
+}
+
+}  // namespace
+
+Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
+                 const std::string& search, const std::string& smoother) {
+  const bool is_drawn = !args.svg.empty() && !args.compare;
+  const bool is_traced = trace.takes(search);
+  const bool has_all_figures = args.compare || !args.json.empty();
+  const PlanQuery plan = make_planner(task.space, search, smoother);
+  Group group;
+  for (const Point& goal : task.scene.goals) {
+    SearchRecord record{.keeps_nodes = is_traced};
+    Query query{.start = task.scene.start, .goal = goal, .seed = args.seed};
+    if (args.time_limit) query.budget = Budget::for_seconds(*args.time_limit);
+    group.push_back(
+        {search, smoother, goal, plan(query, is_drawn || is_traced ? &record : nullptr)});
+    Result& result = group.back();
+    if (has_all_figures) add_figures(task.space, query, result);
+    if (is_traced) trace.write(task.scene, result, record);
+    if (is_drawn) result.drawings = drawings_of(std::move(record));
+  }
+  return group;
+}
+
+}  // namespace plan_program

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "names.hpp"
+#include "tutavia/planner.hpp"
+#include "tutavia/search/search_record.hpp"
+#include "tutavia/space/cell_space.hpp"
+#include "tutavia/space/lattice_space.hpp"
+
+/// \file
+/// PlanningSpace: the operations of the program on both kinds of space.
+
+namespace plan_program {
+
+using namespace tutavia;
+
+/// The lattice of a workspace or the cells of a grid map.
+using PlanningSpace = std::variant<LatticeSpace, CellSpace>;
+
+/// Every search and smoother for workspaces.
+Names lattice_names();
+/// Every search and smoother for grid maps.
+Names cell_names();
+/// Those of the two lists that belongs to the space.
+Names known_names(const PlanningSpace& space);
+
+/// Plans one query. The record may be null.
+using PlanQuery = std::function<Expected<Plan, Failure>(const Query&, SearchRecord*)>;
+
+/// A planner with scratch memory of its own. It refers to the space, which must outlive it.
+/// \pre the names are known
+PlanQuery make_planner(const PlanningSpace& space, const std::string& search,
+                       const std::string& smoother);
+
+/// The mean clearance of a curve over its length [m].
+double mean_clearance_of(const PlanningSpace& space, const Curve& curve);
+
+/// The length of the shortest path [m], at most `bound`; only for workspaces.
+std::optional<double> optimum_of(const PlanningSpace& space, const Query& query, double bound);
+
+/// The length of a route when pulled taut [m]; NaN where that fails.
+double taut_length_of(const PlanningSpace& space, const Curve& route);
+
+/// The obstacle corners that the delta smoother treats as critical on a route.
+std::vector<Point> critical_corners_of(const PlanningSpace& space, const Curve& route);
+
+}  // namespace plan_program

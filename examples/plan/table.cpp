@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "tutavia/metrics/path_metrics.hpp"
+#include "tutavia/motion/speed_profile.hpp"
+#include "tutavia/world/workspace_report.hpp"
+
+namespace plan_program {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+std::string to_text(const Point& p) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "(%g, %g)", p.x(), p.y());
+  return buffer.data();
+}
+
+std::string to_text(double value, int decimals) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
+  return buffer.data();
+}
+
+/// The relative change as "-12.3 %"; "new" where only `before` is 0, "0.0 %" where both are.
+std::string change(double before, double after) {
+  if (before == 0 && after != 0) return "new";
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%+.1f %%",
+                before == 0 ? 0.0 : 100 * (after - before) / before);
+  return buffer.data();
+}
+
+std::string change(std::size_t before, std::size_t after) {
+  return change(static_cast<double>(before), static_cast<double>(after));
+}
+
+double milliseconds(const Statistics& stats) {
+  return (stats.search_us + stats.smooth_us + stats.certify_us) / 1000;
+}
+
+/// Sums, largest and least figures over the goals that have a plan.
+struct Summary {
+  std::size_t planned = 0, goals = 0;
+  double length = 0, turning_angle = 0, max_curvature = 0, max_joint_deflection = 0;
+  double min_clearance = std::numeric_limits<double>::infinity();
+  double mean_clearance = 0;  ///< mean over the goals
+  double taut_length = 0;     ///< NaN where a route cannot be pulled taut
+  double optimum = 0;         ///< sum over the plans with a known optimum
+  double travel_s = 0;        ///< with default SpeedLimits; NaN where a path cannot be driven
+  std::size_t turning_points = 0, evaluations = 0, fell_back = 0, with_optimum = 0;
+  Statistics stats{};
+
+  std::string share_planned() const {
+    return std::to_string(planned) + "/" + std::to_string(goals);
+  }
+  std::string travel() const { return std::isnan(travel_s) ? "-" : to_text(travel_s, 2); }
+  /// The ratio to the shortest paths, if they are all known.
+  std::string over_optimum() const {
+    if (planned == 0 || with_optimum < planned) return "-";
+    return to_text(optimum > 0 ? length / optimum : 1, 4);
+  }
+  double over_taut() const { return length == taut_length ? 1 : length / taut_length; }
+};
+
+void add(const Plan& plan, Summary& sum) {
+  const PathMetrics& m = plan.metrics;
+  ++sum.planned;
+  sum.length += m.length;
+  sum.turning_angle += m.turning_angle;
+  sum.turning_points += m.turning_points;
+  sum.max_curvature = std::max(sum.max_curvature, m.max_curvature);
+  sum.max_joint_deflection = std::max(sum.max_joint_deflection, m.max_joint_deflection);
+  sum.min_clearance = std::min(sum.min_clearance, m.min_clearance);
+  sum.mean_clearance += m.mean_clearance.value_or(nan);
+  const auto profile = SpeedProfile::build(plan.curve, {});
+  sum.travel_s += profile ? profile->duration() : nan;
+  sum.evaluations += plan.certificate.evaluations;
+  sum.fell_back += plan.fell_back ? 1 : 0;
+  sum.stats.expanded += plan.stats.expanded;
+  sum.stats.search_us += plan.stats.search_us;
+  sum.stats.smooth_us += plan.stats.smooth_us;
+  sum.stats.certify_us += plan.stats.certify_us;
+}
+
+Summary summary_of(const Group& group) {
+  Summary sum{.goals = group.size()};
+  for (const Result& result : group) {
+    if (!result.plan) continue;
+    add(*result.plan, sum);
+    sum.taut_length += result.taut_length.value_or(nan);
+    if (!result.optimum) continue;
+    ++sum.with_optimum;
+    sum.optimum += *result.optimum;
+  }
+  if (sum.planned > 0) sum.mean_clearance /= static_cast<double>(sum.planned);
+  return sum;
+}
+
+void print_failure(const std::string& goal, const Failure& failure) {
+  std::printf("%-16s %s: %s\n", goal.c_str(), std::string(to_string(failure.code)).c_str(),
+              failure.detail.c_str());
+}
+
+void print_plan(const std::string& goal, const Plan& plan) {
+  const PathMetrics &m = plan.metrics, before = measure(plan.route.curve);
+  std::printf("%-16s %10.4f %9s %6zu %9s %9.2f %9s %10.4f  %-8s %9.3f%s\n", goal.c_str(), m.length,
+              change(before.length, m.length).c_str(), m.turning_points,
+              change(before.turning_points, m.turning_points).c_str(), degrees(m.turning_angle),
+              change(before.turning_angle, m.turning_angle).c_str(), m.min_clearance,
+              std::string(to_string(plan.certificate.status)).c_str(), milliseconds(plan.stats),
+              plan.fell_back ? "  (fell back to the route)" : "");
+}
+
+void print_grid(const Scene& scene, const CellSpace& space) {
+  std::printf("%s: %d x %d cells of %g m, safety radius %g m, start %s\n", scene.name.c_str(),
+              space.cells().width(), space.cells().height(), space.frame().resolution,
+              space.safety_radius(), to_text(scene.start).c_str());
+}
+
+void print_workspace(const std::string& name, const Scene& scene) {
+  std::printf("%s: safety radius %g m, lattice %g m, start %s\n", name.c_str(),
+              scene.workspace.safety_radius, scene.resolution, to_text(scene.start).c_str());
+  const WorkspaceReport report = inspect(scene.workspace);
+  if (report.empty()) return;
+  std::fflush(stdout);
+  std::cout << "workspace: " << report << std::endl;
+}
+
+}  // namespace
+
+void print_names(const Names& names) {
+  std::cout << "search:";
+  for (const std::string& search : names.searches) std::cout << ' ' << search;
+  std::cout << "\nsmoother:";
+  for (const std::string& smoother : names.smoothers) std::cout << ' ' << smoother;
+  std::cout << "\npipeline: A+B smooths with A, then with B\n";
+}
+
+void print_task(const Arguments& args, const Task& task) {
+  if (const auto* cells = std::get_if<CellSpace>(&task.space)) {
+    print_grid(task.scene, *cells);
+  } else {
+    print_workspace(task.scene.name.empty() ? args.workspace : task.scene.name, task.scene);
+  }
+}
+
+void print_plans(const Group& group) {
+  std::printf("\nsearch %s, smoother %s; changes against the route of the search\n",
+              group.front().search.c_str(), group.front().smoother.c_str());
+  std::printf("%-16s %10s %9s %6s %9s %9s %9s %10s  %-8s %9s\n", "goal", "length m", "change",
+              "turns", "change", "angle deg", "change", "clear >= m", "proof", "ms");
+  for (const Result& result : group) {
+    const std::string goal = to_text(result.goal);
+    if (result.plan) {
+      print_plan(goal, *result.plan);
+    } else {
+      print_failure(goal, result.plan.error());
+    }
+  }
+}
+
+void print_searches(std::span<const Group> groups) {
+  std::printf("\nall searches, smoother %s; sums over %zu goals\n",
+              groups.front().front().smoother.c_str(), groups.front().size());
+  std::printf("%-20s %9s %10s %6s %9s %10s %10s %10s %9s %10s\n", "search", "planned", "length m",
+              "turns", "angle deg", "max curv.", "clear >= m", "expanded", "ms", "/ optimum");
+  for (const Group& group : groups) {
+    const Summary s = summary_of(group);
+    std::printf("%-20s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f %10s\n",
+                group.front().search.c_str(), s.share_planned().c_str(), s.length, s.turning_points,
+                degrees(s.turning_angle), s.max_curvature, s.min_clearance,
+                static_cast<unsigned long long>(s.stats.expanded), milliseconds(s.stats),
+                s.over_optimum().c_str());
+  }
+}
+
+void print_smoothers(std::span<const Group> groups) {
+  std::printf("\nall smoothers, search %s, on the same routes; sums over %zu goals\n",
+              groups.front().front().search.c_str(), groups.front().size());
+  std::printf("%-22s %7s %10s %8s %13s %9s %9s %10s %12s %8s %10s %8s %10s\n", "smoother",
+              "planned", "length m", "/ taut", "max curv. 1/m", "angle deg", "joint deg",
+              "clear >= m", "clear mean m", "travel s", "us", "proofs", "/ optimum");
+  for (const Group& group : groups) {
+    const Summary s = summary_of(group);
+    std::printf("%-22s %7s", group.front().smoother.c_str(), s.share_planned().c_str());
+    if (s.planned > 0) {
+      std::printf(" %10.4f %8.4f %13.4f %9.2f %9.2f %10.4f %12.4f %8s %10.1f %8zu %10s", s.length,
+                  s.over_taut(), s.max_curvature, degrees(s.turning_angle),
+                  degrees(s.max_joint_deflection), s.min_clearance, s.mean_clearance,
+                  s.travel().c_str(), s.stats.smooth_us, s.evaluations, s.over_optimum().c_str());
+    }
+    if (s.fell_back > 0) std::printf("  (%zu fell back to the route)", s.fell_back);
+    std::printf("\n");
+  }
+}
+
+}  // namespace plan_program

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "input.hpp"
+#include "names.hpp"
+#include "options.hpp"
+#include "result.hpp"
+
+/// \file
+/// Tables on stdout.
+
+namespace plan_program {
+
+/// Prints all names, for --list.
+void print_names(const Names& names);
+
+/// Prints what the task is, in front of the tables.
+void print_task(const Arguments& args, const Task& task);
+
+/// One row per goal, each figure with its change against the search's own route.
+void print_plans(const Group& group);
+
+/// One row per group, which differ in the search; figures are sums over all goals.
+void print_searches(std::span<const Group> groups);
+
+/// One row per group, which differ in the smoother and have taut lengths; figures are sums over all
+/// goals. A smoother that leaves the homotopy class of a route can be shorter than its taut string.
+void print_smoothers(std::span<const Group> groups);
+
+}  // namespace plan_program
