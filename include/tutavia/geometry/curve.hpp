@@ -123,7 +123,8 @@ class Curve {
   /// \pre not empty
   CurvePoint at(double s) const {
     const auto [i, t] = locate(s);
-    CurvePoint result = pieces_[i].visit([t = t](const auto& p) { return detail::state(p, t); });
+    CurvePoint result =
+        pieces_[i].visit([parameter = t](const auto& p) { return detail::state(p, parameter); });
     result.s = std::clamp(s, 0.0, length());
     return result;
   }
@@ -186,9 +187,9 @@ class Curve {
     if (std::min(behind, ahead) <= 1e-12 * length()) t = behind < ahead ? 0 : 1;
     Curve first, second;
     for (std::size_t k = 0; k < i; ++k) first.push_back(pieces_[k]);
-    pieces_[i].visit([&, t = t](const auto& piece) {
-      if (t > 0) first.push_back(piece.part(0, t));
-      if (t < 1) second.push_back(piece.part(t, 1));
+    pieces_[i].visit([&, cut = t](const auto& piece) {
+      if (cut > 0) first.push_back(piece.part(0, cut));
+      if (cut < 1) second.push_back(piece.part(cut, 1));
     });
     for (std::size_t k = i + 1; k < pieces_.size(); ++k) second.push_back(pieces_[k]);
     if (first.empty()) first.push_back(Segment{start(), start()});
