@@ -25,7 +25,7 @@ namespace tutavia {
 /// The points of a workspace at `safety_radius` or more from every obstacle.
 ///
 /// Obstacles are never offset: distances to their edges are measured, so zones have exactly round
-/// corners. An R-tree over the edges' boxes (Boost.Geometry, bulk-loaded) makes every question
+/// corners. A packed R-tree over the edges' boxes (`BoxTree`) makes every question
 /// logarithmic in the number of edges. Immutable: one object serves any number of threads.
 /// `segment_free` and `is_free` settle ties by exact arithmetic, so a point at a distance of
 /// exactly the safety radius is free. At radius 0 paths may touch simple polygons and discs;
