@@ -123,10 +123,10 @@ PieceProof prove(const S& space, const Arc& arc, double distance, double slack, 
   if (!(found.distance >= distance + error)) proof.status = ProofStatus::undecided;
   arc.for_each_extreme([&](double t) {
     const Point p = arc.point(t);
-    if (proof.status == ProofStatus::violated || Box(space.bounds()).inflated(-error).contains(p)) {
+    if (proof.status == ProofStatus::violated || space.bounds().inflated(-error).contains(p)) {
       return;
     }
-    const bool outside = !Box(space.bounds()).inflated(error).contains(p);
+    const bool outside = !space.bounds().inflated(error).contains(p);
     proof.status = outside ? ProofStatus::violated : ProofStatus::undecided;
     if (outside) proof.parameter = t;
   });

@@ -32,7 +32,7 @@ namespace detail {
 /// Bends are pins (the path's own joints) and circles of the safety radius around obstacle vertices
 /// (around discs: larger ones). A bend that is not taut is taken out: the string between its
 /// neighbours A and C then runs straight, or around the circles that lie in the way.
-template <class S>
+template <FeatureSpace S>
 class PulledString {
  public:
   PulledString(const S& space, const std::vector<Point>& nodes, const Budget& budget)

@@ -84,7 +84,7 @@ struct AntColony {
 
 namespace detail {
 
-template <class S, class O>
+template <GridSpace S, Observer O>
 class Colony {
  public:
   Colony(const AntColony& options, const S& space, const Query& query, const LinkedQuery& linked,

@@ -33,7 +33,7 @@ class FlowField {
     std::vector<CellLink> seeds;
     for (const Point& goal : goals) {
       if (auto failure = check_endpoint(space, goal, false)) return Unexpected{*failure};
-      const CellLinks links(space.links(goal), Frame(space.frame()).resolution);
+      const CellLinks links(space.links(goal), space.frame().resolution);
       if (links.size() == 0) {
         return fail(PlanError::goal_blocked, "a goal has no link to the grid at this resolution");
       }
@@ -69,14 +69,14 @@ class FlowField {
   template <GridSpace S>
   double cost(const S& space, Cell cell) const {
     if (!reached(space, cell)) return std::numeric_limits<double>::infinity();
-    return in_metres(labels_.view().g(space.grid().index(cell)), Frame(space.frame()).resolution);
+    return in_metres(labels_.view().g(space.grid().index(cell)), space.frame().resolution);
   }
 
   /// The path from a point to the nearest goal. Errors as for a query.
   template <GridSpace S>
   Expected<Route, Failure> path(const S& space, const Point& start) const {
     if (auto failure = check_endpoint(space, start, true)) return Unexpected{*failure};
-    const Frame frame = space.frame();
+    const Frame& frame = space.frame();
     const GridLabels::View labels = labels_.view();
     Cost best = std::numeric_limits<Cost>::max();
     Cell first;
@@ -119,7 +119,7 @@ class FlowField {
     for (int y = 0; y < space.grid().height(); ++y) {
       for (int x = 0; x < space.grid().width(); ++x) {
         if (!reached(space, {x, y})) continue;
-        const double gap = distance(Frame(space.frame()).point({x, y}), p);
+        const double gap = distance(space.frame().point({x, y}), p);
         if (gap < least) best = Cell{x, y}, least = gap;
       }
     }

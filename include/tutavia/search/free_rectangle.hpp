@@ -72,7 +72,7 @@ concept RectangleObserver = Observer<O> && requires(O& o, const Segment& from, c
 };
 
 /// Tells an observer of a rectangle, if it wishes to know.
-template <GridSpace S, Observer O>
+template <LinkedSpace S, Observer O>
 void tell_of(O& observer, const S& space, const CellInterval& from, const CellRectangle& r) {
   if constexpr (RectangleObserver<O>) {
     const Frame& frame = space.frame();
@@ -91,7 +91,7 @@ inline bool all_free(const OccupancyGrid& grid, int y, const CellRun& run) {
 /// Grows rectangles in the free cells of a space, a run of cells at a time.
 class FreeRectangles {
  public:
-  template <GridSpace S>
+  template <ColumnSpace S>
   explicit FreeRectangles(const S& space) : lines_{&space.grid(), &space.columns()} {}
 
   /// Whether the cells of a line are free; false for lines beyond the grid.

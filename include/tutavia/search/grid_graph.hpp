@@ -113,7 +113,7 @@ Expected<Route, Failure> graph_search(const S& space, const Query& query, GridGr
       },
       Prices::scale == 1);
   if (route && paid) {
-    route->cost = in_metres(*paid, Frame(space.frame()).resolution, Prices::scale * straight_cost);
+    route->cost = in_metres(*paid, space.frame().resolution, Prices::scale * straight_cost);
   }
   return route;
 }

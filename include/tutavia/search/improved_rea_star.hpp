@@ -187,7 +187,7 @@ struct ImprovedReaStar {
   /// markers, and it is never shorter.
   bool funnel = true;
 
-  template <GridSpace S, Observer O = NoObserver>
+  template <ColumnSightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
     for (auto& wave : scratch.waves) wave.evaluation.passage_cost = passage_cost;

@@ -6,17 +6,12 @@
 
 #include "tutavia/grid/stop_planes.hpp"
 #include "tutavia/search/jump_search.hpp"
+#include "tutavia/space/concepts.hpp"
 
 /// \file
 /// Jump point search, online.
 
 namespace tutavia {
-
-/// A grid space that keeps the stop planes of its grid.
-template <class S>
-concept JumpSpace = GridSpace<S> && requires(const S& s) {
-  { s.stop_planes() } -> std::same_as<const StopPlanes&>;
-};
 
 /// Scans for jump points in the stop planes of a grid (see JumpSearch).
 struct PlaneScanner {

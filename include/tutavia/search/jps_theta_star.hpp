@@ -10,7 +10,7 @@
 #include "tutavia/pull/remove_redundant.hpp"
 #include "tutavia/search/jps.hpp"
 #include "tutavia/search/jump_heap.hpp"
-#include "tutavia/search/theta_star.hpp"
+#include "tutavia/space/concepts.hpp"
 
 /// \file
 /// JPS_Theta*: weighted jump point search with lines of sight.
@@ -42,12 +42,9 @@ struct JpsThetaStar {
   double switch_distance = 12;  ///< [cells]
   SightUse lines_of_sight = SightUse::after_search;
 
-  template <class S, Observer O = NoObserver>
-  requires JumpSpace<S> && SightSpace<S> Expected<Route, Failure> search(const S& space,
-                                                                         const Query& query,
-                                                                         Scratch& scratch,
-                                                                         O& observer)
-  const {
+  template <JumpSightSpace S, Observer O = NoObserver>
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  O& observer) const {
     if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
     for (const double weight : {far_weight, near_weight}) {
       if (!(0 <= weight && weight <= 1e6)) {
@@ -89,7 +86,7 @@ struct JpsThetaStar {
       return static_cast<Cost>(weight * h * static_cast<double>(straight_cost));
     }
   };
-  template <class S>
+  template <SightSpace S>
   struct LookBackGuide : Guide {
     static constexpr bool looks_back = true;
 

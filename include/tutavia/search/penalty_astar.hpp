@@ -45,7 +45,7 @@ struct PenaltyAStar {
                   std::to_string(space.grid().index_count()) +
                       " cells with padding, 2^28 allowed by penalty_astar");
     }
-    const double resolution = Frame(space.frame()).resolution;
+    const double resolution = space.frame().resolution;
     const double unit = static_cast<double>(straight_cost) / resolution;
     const auto eighth = static_cast<Cost>(std::lround(turn_penalty * std::numbers::pi / 4 * unit));
     std::optional<Cost> paid;
@@ -76,7 +76,7 @@ struct PenaltyAStar {
 
  private:
   /// Nodes are 16 x cell index + the step of arrival, or `no_step` at first cells.
-  template <class S>
+  template <GridSpace S>
   struct HeadingGraph {
     const S& space;
     const Query& query;

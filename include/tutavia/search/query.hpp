@@ -66,7 +66,7 @@ inline void add_nearest_safe_point(Failure& failure, const std::optional<Point>&
 /// the clearance there where the space knows it.
 template <FreeSpace S>
 std::optional<Failure> check_endpoint(const S& space, const Point& p, bool is_start) {
-  const bool within = Box(space.bounds()).contains(p);  // false for NaN
+  const bool within = space.bounds().contains(p);  // false for NaN
   if (within && space.is_free(p)) return std::nullopt;
   Failure failure = detail::endpoint_failure(p, is_start, within);
   if (!within) return failure;

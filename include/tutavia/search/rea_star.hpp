@@ -74,14 +74,14 @@ struct ReaStar {
   static constexpr std::string_view name = "rea_star";
   using Scratch = ReaScratch;
 
-  template <GridSpace S, Observer O = NoObserver>
+  template <ColumnSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const;
 };
 
 namespace detail {
 
-template <class S, class O>
+template <ColumnSpace S, Observer O>
 class RectangleSearch {
  public:
   RectangleSearch(const S& space, const Query& query, const LinkedQuery& linked,
@@ -285,7 +285,7 @@ class RectangleSearch {
 
 }  // namespace detail
 
-template <GridSpace S, Observer O>
+template <ColumnSpace S, Observer O>
 Expected<Route, Failure> ReaStar::search(const S& space, const Query& query, Scratch& scratch,
                                          O& observer) const {
   if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
@@ -301,7 +301,7 @@ Expected<Route, Failure> ReaStar::search(const S& space, const Query& query, Scr
                              return std::nullopt;
                            });
   if (route && paid) {
-    route->cost = in_metres(*paid, Frame(space.frame()).resolution);
+    route->cost = in_metres(*paid, space.frame().resolution);
   }
   return route;
 }

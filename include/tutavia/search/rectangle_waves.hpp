@@ -292,7 +292,7 @@ class RectangleWaves {
 
 /// Searches by waves of rectangles; `lay_path(rails, joint, cells)` makes of the rails the cells of
 /// the path's corners, from the last to the first.
-template <class Evaluation, GridSpace S, class LayPath, class O>
+template <class Evaluation, ColumnSpace S, class LayPath, class O>
 Expected<Route, Failure> rectangle_waves(const S& space, const Query& query,
                                          RectangleWavesScratch<Evaluation>& scratch, O& observer,
                                          std::string_view name, bool continue_after_contact,

@@ -69,7 +69,7 @@ class OutsideRiskZone {
  public:
   OutsideRiskZone(const S& space, const RiskZone& zone) : space_(space), zone_(zone) {}
 
-  Box bounds() const { return space_.bounds(); }
+  const Box& bounds() const { return space_.bounds(); }
   bool is_free(const Point& p) const { return segment_free(p, p); }
   bool segment_free(const Point& p, const Point& q) const {
     return space_.segment_free(p, q) && zone_.is_outside(space_, p, q);

@@ -90,7 +90,7 @@ struct SbReaStar {
   static constexpr std::string_view name = "sb_rea_star";
   using Scratch = detail::RectangleWavesScratch<detail::CellEvaluation>;
 
-  template <GridSpace S, Observer O = NoObserver>
+  template <ColumnSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
     return detail::rectangle_waves(

@@ -96,7 +96,7 @@ struct TangentGraph {
 
 namespace detail {
 
-template <class S, class O>
+template <FeatureSpace S, Observer O>
 class TangentSearch {
  public:
   TangentSearch(const S& space, const TangentMap& map, const Query& query, double bound,

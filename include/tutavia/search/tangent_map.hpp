@@ -127,8 +127,7 @@ class TangentMap {
 
 template <FeatureSpace S>
 TangentMap::TangentMap(const S& space)
-    : setting_{Box(space.bounds()).min, Box(space.bounds()).max, space.safety_radius(),
-               space.slack()} {
+    : setting_{space.bounds().min, space.bounds().max, space.safety_radius(), space.slack()} {
   struct End {
     Point vertex, direction;
     double radius;

@@ -22,19 +22,12 @@
 #include "tutavia/search/query.hpp"
 #include "tutavia/space/cell_corners.hpp"
 #include "tutavia/space/cell_space.hpp"
+#include "tutavia/space/concepts.hpp"
 
 /// \file
 /// Theta* and Lazy Theta*: A* on a grid whose paths leave the grid's directions.
 
 namespace tutavia {
-
-/// Nodes on a grid that know each other: `sees(a, b)` says whether the segment between the
-/// reference points of two of them is free.
-template <class S>
-concept SightSpace = LinkedSpace<S> && requires(const S& s, Cell node) {
-  { s.grid() } -> std::same_as<const OccupancyGrid&>;
-  { s.sees(node, node) } -> std::same_as<bool>;
-};
 
 /// Where the paths of a search bend.
 enum class Vertices {

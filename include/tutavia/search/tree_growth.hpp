@@ -57,7 +57,7 @@ std::optional<Failure> check_growth(const S& space, const Query& query,
   const auto invalid = [](std::string detail) {
     return Failure{.code = PlanError::invalid_option, .detail = std::move(detail)};
   };
-  const Box bounds = space.bounds();
+  const Box& bounds = space.bounds();
   const double most = distance(bounds.min, bounds.max);
   if (step && !(*step > 0 && *step <= most)) {
     return invalid("step must be positive and at most " + std::to_string(most) +

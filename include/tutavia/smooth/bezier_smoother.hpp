@@ -107,7 +107,7 @@ struct BezierSmoother {
   }
 
   /// The rounding of the joint before piece i.
-  template <class S>
+  template <ClearanceSpace S>
   Rounding round(const S& space, const Curve& curve, std::size_t i) const {
     const Piece &in = curve.pieces()[i - 1], &out = curve.pieces()[i];
     const double before = curve.length_before(i) - curve.length_before(i - 1);
@@ -133,7 +133,7 @@ struct BezierSmoother {
   }
 
   /// Whether a piece is free without what the corners before and after it take.
-  template <class S>
+  template <ClearanceSpace S>
   static bool is_rest_free(const S& space, const Piece& piece, const Rounding& before,
                            const Rounding& after) {
     if (!before.is_round && !after.is_round) return true;

@@ -79,7 +79,7 @@ struct ClothoidSmoother {
   }
 
  private:
-  template <class S>
+  template <FeatureSpace S>
   static Expected<Curve, Failure> taut(const S& space, const Curve& input, const Budget& budget) {
     bool has_arcs = false;
     for (const Piece& piece : input.pieces()) {

@@ -26,7 +26,7 @@ concept Smoother = std::copyable<A> &&
 
 /// The metres in a length that smoothers take in spacings of the space's grid: its resolution, 1 m
 /// where the space has no grid.
-template <class S>
+template <FreeSpace S>
 double length_unit([[maybe_unused]] const S& space) {
   if constexpr (LinkedSpace<S>) {
     return space.frame().resolution;

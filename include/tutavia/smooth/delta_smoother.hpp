@@ -82,7 +82,7 @@ struct DeltaSmoother {
     double distance;  // between the node and the corner's zone or disc
   };
 
-  template <class S>
+  template <CornerSpace S>
   Expected<Curve, Failure> lines_and_arcs(const S& space, const std::vector<Point>& nodes,
                                           const Budget& budget) const {
     const std::vector<Trigger> triggers = find_triggers(space, nodes);
@@ -121,7 +121,7 @@ struct DeltaSmoother {
 
   /// For each critical corner the nearest node; one trigger per node, by the nearest corner, in the
   /// order of the path.
-  template <class S>
+  template <CornerSpace S>
   std::vector<Trigger> find_triggers(const S& space, const std::vector<Point>& nodes) const {
     std::vector<Trigger> triggers;
     std::vector<std::size_t> by_x(nodes.size());
@@ -164,7 +164,7 @@ struct DeltaSmoother {
   }
 
   /// The node to go to straight from i: one before the last in sight, no later than `barrier`.
-  template <class S>
+  template <FreeSpace S>
   static std::size_t prudent_shortcut(const S& space, const std::vector<Point>& nodes,
                                       std::size_t i, std::size_t barrier) {
     const auto sees = [&](std::size_t j) { return space.segment_free(nodes[i], nodes[j]); };
@@ -178,7 +178,7 @@ struct DeltaSmoother {
   }
 
   /// Replaces the two steps around a trigger by one arc, if any offset gives a proved one.
-  template <class S>
+  template <ClearanceSpace S>
   void append_arc(const S& space, const std::vector<Point>& nodes, const Trigger& trigger,
                   Curve& result) const {
     const Point& a = nodes[trigger.node - 1];

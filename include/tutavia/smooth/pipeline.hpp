@@ -18,6 +18,10 @@
 
 namespace tutavia {
 
+/// A space on which several smoothers work.
+template <class S, class... Stages>
+concept SmoothableSpace = (Smoother<Stages, S> && ...);
+
 /// Smoothers in a row, each of which gets what the one before made:
 ///
 ///     Planner planner{ThetaStar{}, Pipeline{TautString{}, BezierSmoother{.trim = 0.2}}};
@@ -32,11 +36,8 @@ class Pipeline {
   Pipeline() = default;
   explicit Pipeline(Stages... stages) : stages_(std::move(stages)...) {}
 
-  template <class S>
-  requires(Smoother<Stages, S>&&...) Expected<Curve, Failure> smooth(const S& space,
-                                                                     const Curve& input,
-                                                                     const Budget& budget)
-  const {
+  template <SmoothableSpace<Stages...> S>
+  Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     Expected<Curve, Failure> result = input;
     const auto run = [&](const auto& stage) {
       result = stage.smooth(space, *result, budget);

@@ -30,7 +30,7 @@ namespace detail {
 /// A bend that does not get its spirals proved gives up half its margin, and in the end all of it:
 /// then it is an arc of the old circle. So do the bends at both ends of a way that is not proved.
 /// When no margin is left the string is what it was.
-template <class S>
+template <ClearanceSpace S>
 class SpiralString {
  public:
   struct Options {

@@ -48,10 +48,8 @@ struct TwoStageBSpline {
 
   /// Errors: `invalid_option` for one that is negative, not finite or too large, `invalid_input`
   /// for a curve that is no polyline or not free, what the budget says.
-  template <GridSpace S>
-  requires ClearanceSpace<S> Expected<Curve, Failure> smooth(const S& space, const Curve& input,
-                                                             const Budget& budget)
-  const {
+  template <ClearanceGridSpace S>
+  Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
     auto nodes = free_nodes(space, input, budget, "the two-stage B-spline");
     if (!nodes) return Unexpected{nodes.error()};
@@ -80,14 +78,14 @@ struct TwoStageBSpline {
     return nullptr;
   }
 
-  template <class S>
+  template <GridSpace S>
   static bool is_blocked(const S& space, Cell cell) {
     return space.grid().contains(cell) && !space.grid().is_free(cell);
   }
 
   /// The cell to go through instead of stepping from p to q, if the step is diagonal and passes a
   /// blocked cell.
-  template <class S>
+  template <GridSpace S>
   static std::optional<Point> way_round(const S& space, const Point& p, const Point& q) {
     const Frame& frame = space.frame();
     const Cell from = frame.nearest_cell(p), to = frame.nearest_cell(q);
@@ -101,7 +99,7 @@ struct TwoStageBSpline {
   }
 
   /// Stage 1. The nodes of such a step go where their neighbours then see each other.
-  template <class S>
+  template <GridSpace S>
   static void avoid_corners(const S& space, std::vector<Point>& nodes) {
     std::vector<Point> result{nodes.front()};
     std::vector<bool> marked{false};
@@ -126,7 +124,7 @@ struct TwoStageBSpline {
   }
 
   /// Stage 2 for one node.
-  template <class S>
+  template <GridSpace S>
   void move_away(const S& space, std::vector<Point>& nodes, std::size_t i) const {
     const Point shift = push(space, nodes[i]);
     for (double part = 1; part > 1.0 / 64; part /= 2) {
@@ -140,7 +138,7 @@ struct TwoStageBSpline {
   }
 
   /// The mean push of the blocked cells around a point [m].
-  template <class S>
+  template <GridSpace S>
   Point push(const S& space, const Point& p) const {
     const Frame& frame = space.frame();
     const Cell centre = frame.nearest_cell(p);

@@ -22,9 +22,9 @@ struct ClearanceCostOptions {
 
 /// Surcharges that fall linearly from `weight` at the safety radius to 0 at `distance` beyond it.
 /// `invalid_option` for a distance that is not positive or a weight out of range.
-template <class S>
-requires GridSpace<S> && ClearanceSpace<S> Expected<std::shared_ptr<const CellCosts>, Failure>
-clearance_costs(const S& space, const ClearanceCostOptions& options) {
+template <ClearanceGridSpace S>
+Expected<std::shared_ptr<const CellCosts>, Failure> clearance_costs(
+    const S& space, const ClearanceCostOptions& options) {
   if (!(options.distance > 0) || !std::isfinite(options.distance)) {
     return fail(PlanError::invalid_option, "distance must be positive and finite");
   }

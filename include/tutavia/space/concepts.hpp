@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -9,8 +10,12 @@
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/segment.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/grid/stop_planes.hpp"
+#include "tutavia/grid/successors.hpp"
+#include "tutavia/space/corner.hpp"
 #include "tutavia/space/links.hpp"
 #include "tutavia/world/frame.hpp"
+#include "tutavia/world/workspace.hpp"
 
 /// \file
 /// What searchers, smoothers and certificates may ask of a space.
@@ -28,12 +33,13 @@ struct Proximity {
 };
 
 /// Free space with a yes-or-no answer: `is_free(p)` says whether the point is in it,
-/// `segment_free(p, q)` whether the whole closed segment is. Both are proofs, exact on ties.
+/// `segment_free(p, q)` whether the whole closed segment is. Both are proofs, exact on ties. All of
+/// it lies in the box `bounds()`.
 template <class S>
 concept FreeSpace = requires(const S& s, const Point& p) {
   { s.is_free(p) } -> std::same_as<bool>;
   { s.segment_free(p, p) } -> std::same_as<bool>;
-  { s.bounds() } -> std::convertible_to<Box>;
+  { s.bounds() } -> std::same_as<const Box&>;
 };
 
 /// Free space that knows distances.
@@ -65,10 +71,24 @@ concept FeatureSpace = ClearanceSpace<S> && requires(const S& s, const Box& box)
   s.for_each_feature(box, [](const Segment&, double) {});
 };
 
-/// Free space with nodes: `links(p)` joins any point to those around it by proved segments.
+/// A space that knows its obstacles' corners: `for_each_corner(box, visit)` calls `visit(corner)`
+/// for every convex corner in the box and every disc whose box meets it.
+template <class S>
+concept CornerSpace = ClearanceSpace<S> && requires(const S& s, const Box& box) {
+  s.for_each_corner(box, [](const Corner&) {});
+};
+
+/// The free space of a workspace: `workspace()` has its obstacles, polygons and discs.
+template <class S>
+concept WorkspaceSpace = FeatureSpace<S> && requires(const S& s) {
+  { s.workspace() } -> std::same_as<const Workspace&>;
+};
+
+/// Free space with nodes on a lattice, whose place in the plane is `frame()`: `links(p)` joins any
+/// point to those around it by proved segments.
 template <class S>
 concept LinkedSpace = FreeSpace<S> && requires(const S& s, const Point& p) {
-  { s.frame() } -> std::convertible_to<Frame>;
+  { s.frame() } -> std::same_as<const Frame&>;
   { s.links(p) } -> std::same_as<Links>;
 };
 
@@ -78,5 +98,49 @@ concept GridSpace = LinkedSpace<S> && requires(const S& s) {
   { s.grid() } -> std::same_as<const OccupancyGrid&>;
   { s.movement() } -> std::same_as<MovementRule>;
 };
+
+/// A grid space that is as well known along its columns as along its rows: `columns()` is its grid
+/// with rows and columns exchanged.
+template <class S>
+concept ColumnSpace = GridSpace<S> && requires(const S& s) {
+  { s.columns() } -> std::same_as<const OccupancyGrid&>;
+};
+
+/// A grid space that keeps the stop planes of its grid, in which jump points are found.
+template <class S>
+concept JumpSpace = GridSpace<S> && requires(const S& s) {
+  { s.stop_planes() } -> std::same_as<const StopPlanes&>;
+};
+
+/// Free space with a grid of nodes and steps of its own: `successors(index)` holds the steps, each
+/// a proved segment to a free node, that lead from the free node with this index in `grid()`.
+template <class S>
+concept StepSpace = LinkedSpace<S> && requires(const S& s, std::size_t index) {
+  { s.grid() } -> std::same_as<const OccupancyGrid&>;
+  { s.successors(index) } -> std::same_as<StepSet>;
+};
+
+/// A grid with steps, by the rule of its movement or its own.
+template <class S>
+concept SteppedSpace = GridSpace<S> || StepSpace<S>;
+
+/// A grid whose nodes know each other: where `sees(a, b)` holds for two free nodes, the segment
+/// between their reference points is free and may be taken.
+template <class S>
+concept SightSpace = SteppedSpace<S> && requires(const S& s, Cell node) {
+  { s.sees(node, node) } -> std::same_as<bool>;
+};
+
+/// A grid with distances.
+template <class S>
+concept ClearanceGridSpace = GridSpace<S> && ClearanceSpace<S>;
+
+/// Rows, columns and lines of sight.
+template <class S>
+concept ColumnSightSpace = ColumnSpace<S> && SightSpace<S>;
+
+/// Jump points and lines of sight.
+template <class S>
+concept JumpSightSpace = JumpSpace<S> && SightSpace<S>;
 
 }  // namespace tutavia

@@ -131,7 +131,7 @@ class GridBuilder {
 template <ClearanceSpace S>
 auto grid_builder(const S& space) {
   return GridBuilder([&space](const Point& p) -> double { return space.clearance(p); },
-                     Box(space.bounds()), space.safety_radius(), space.slack());
+                     space.bounds(), space.safety_radius(), space.slack());
 }
 
 }  // namespace tutavia
