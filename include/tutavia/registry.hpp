@@ -44,6 +44,7 @@
 #include "tutavia/smooth/no_smoothing.hpp"
 #include "tutavia/smooth/smoothing_spline.hpp"
 #include "tutavia/smooth/two_stage_b_spline.hpp"
+#include "tutavia/space/concepts.hpp"
 
 /// \file
 /// The algorithms by name, for tools that choose at run time.
@@ -55,7 +56,7 @@ namespace detail {
 /// A table that all copies of one erased JPS+ share; immutable once it is prepared.
 class SharedJumpTable {
  public:
-  template <class S>
+  template <GridSpace S>
   Expected<std::shared_ptr<const JumpTable>, Failure> prepared_for(const S& space) {
     const std::lock_guard lock(mutex_);
     if (table_ == nullptr || !table_->matches(space.grid())) {
@@ -74,7 +75,7 @@ class SharedJumpTable {
 }  // namespace detail
 
 /// JPS+ with a table that is prepared for the space at the first query.
-template <class S>
+template <GridSpace S>
 AnySearch<S> erase_jps_plus() {
   auto shared = std::make_shared<detail::SharedJumpTable>();
   return {JpsPlus::name,
@@ -88,50 +89,56 @@ AnySearch<S> erase_jps_plus() {
           }};
 }
 
+namespace detail {
+
+/// Adds those of some searches that work on S, with default options.
+template <class... Searches, class S>
+void add_searches(std::vector<AnySearch<S>>& all) {
+  const auto add = [&]<class A>(const A& search) {
+    if constexpr (Searcher<A, S>) all.push_back(erase_search<S>(search));
+  };
+  (add(Searches{}), ...);
+}
+
+/// The same of smoothers.
+template <class... Smoothers, class S>
+void add_smoothers(std::vector<AnySmoother<S>>& all) {
+  const auto add = [&]<class A>(const A& smoother) {
+    if constexpr (Smoother<A, S>) all.push_back(erase_smoother<S>(smoother));
+  };
+  (add(Smoothers{}), ...);
+}
+
+}  // namespace detail
+
 /// Every searcher of the library that works on S, with default options.
-template <class S>
+///
+/// TangentGraph is for workspaces alone. A CellSpace has features, too, but one on each side of a
+/// blocked cell, each of which would be a circle in a graph whose size is quadratic in them; and at
+/// the safety radius 0, which is usual for cells, the search is not defined.
+template <FreeSpace S>
 std::vector<AnySearch<S>> all_searches() {
-  std::vector<AnySearch<S>> all{erase_search<S>(Dijkstra{}),
-                                erase_search<S>(AStar{}),
-                                erase_search<S>(WeightedAStar{}),
-                                erase_search<S>(CanonicalAStar{}),
-                                erase_search<S>(BidirectionalAStar{}),
-                                erase_search<S>(PenaltyAStar{}),
-                                erase_search<S>(Jps{}),
-                                erase_jps_plus<S>(),
-                                erase_search<S>(ThetaStar{}),
-                                erase_search<S>(LazyThetaStar{}),
-                                erase_search<S>(JpsThetaStar{}),
-                                erase_search<S>(SsaAStar{}),
-                                erase_search<S>(AntColony{}),
-                                erase_search<S>(ReaStar{}),
-                                erase_search<S>(SbReaStar{}),
-                                erase_search<S>(ImprovedReaStar{}),
-                                erase_search<S>(Rrt{}),
-                                erase_search<S>(RrtStar{}),
-                                erase_search<S>(RrtConnect{}),
-                                erase_search<S>(InformedRrtStar{}),
-                                erase_search<S>(SafeRrtStar{})};
-  if constexpr (Searcher<AnyAngle, S>) all.push_back(erase_search<S>(AnyAngle{}));
-  if constexpr (requires(const S& s) { s.workspace(); }) {
-    all.push_back(erase_search<S>(TangentGraph{}));
-  }
+  std::vector<AnySearch<S>> all;
+  detail::add_searches<Dijkstra, AStar, WeightedAStar, CanonicalAStar, BidirectionalAStar,
+                       PenaltyAStar, Jps>(all);
+  if constexpr (GridSpace<S>) all.push_back(erase_jps_plus<S>());
+  detail::add_searches<ThetaStar, LazyThetaStar, JpsThetaStar, SsaAStar, AntColony, ReaStar,
+                       SbReaStar, ImprovedReaStar, Rrt, RrtStar, RrtConnect, InformedRrtStar,
+                       SafeRrtStar, AnyAngle>(all);
+  if constexpr (WorkspaceSpace<S>) detail::add_searches<TangentGraph>(all);
   return all;
 }
 
-/// Every smoother of the library that works on S, with default options.
-template <class S>
+/// Every smoother of the library that works on S, with default options. HomotopyRefine, which asks
+/// TangentGraph, is for workspaces alone for the same reasons.
+template <FreeSpace S>
 std::vector<AnySmoother<S>> all_smoothers() {
-  std::vector<AnySmoother<S>> all{
-      erase_smoother<S>(NoSmoothing{}),          erase_smoother<S>(Shortcut{}),
-      erase_smoother<S>(RedundantNodeRemoval{}), erase_smoother<S>(DeltaSmoother{}),
-      erase_smoother<S>(BezierSmoother{}),       erase_smoother<S>(BSplineSmoother{}),
-      erase_smoother<S>(SmoothingSpline{}),      erase_smoother<S>(TwoStageBSpline{}),
-      erase_smoother<S>(TautString{}),           erase_smoother<S>(ClothoidSmoother{})};
-  if constexpr (requires(const S& s) { s.workspace(); }) {
-    all.push_back(erase_smoother<S>(HomotopyRefine{}));
-  }
-  if constexpr (Smoother<StringPull, S>) all.push_back(erase_smoother<S>(StringPull{}));
+  std::vector<AnySmoother<S>> all;
+  detail::add_smoothers<NoSmoothing, Shortcut, RedundantNodeRemoval, DeltaSmoother, BezierSmoother,
+                        BSplineSmoother, SmoothingSpline, TwoStageBSpline, TautString,
+                        ClothoidSmoother>(all);
+  if constexpr (WorkspaceSpace<S>) detail::add_smoothers<HomotopyRefine>(all);
+  detail::add_smoothers<StringPull>(all);
   return all;
 }
 
