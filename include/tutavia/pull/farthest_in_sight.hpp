@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 
 /// \file
@@ -15,7 +16,7 @@ namespace tutavia {
 namespace detail {
 
 /// The last node of [seen, hidden) in sight, by bisection.
-template <class Sees>
+template <std::predicate<std::size_t> Sees>
 std::size_t bisect_sight(std::size_t seen, std::size_t hidden, const Sees& sees) {
   while (seen + 1 < hidden) {
     const std::size_t middle = seen + (hidden - seen) / 2;
@@ -28,7 +29,7 @@ std::size_t bisect_sight(std::size_t seen, std::size_t hidden, const Sees& sees)
 
 /// A node of (i, end] that is in sight, or i + 1: looks ahead in doubling steps until a node is
 /// hidden, then bisects. `sees(j)` says whether node j is in sight of node i. \pre i < end
-template <class Sees>
+template <std::predicate<std::size_t> Sees>
 std::size_t farthest_looking_ahead(std::size_t i, std::size_t end, const Sees& sees) {
   std::size_t seen = i + 1;
   for (std::size_t step = 2; seen < end; step *= 2) {
@@ -40,7 +41,7 @@ std::size_t farthest_looking_ahead(std::size_t i, std::size_t end, const Sees& s
 }
 
 /// The same, looking back from the end: it finds later nodes where sight opens again.
-template <class Sees>
+template <std::predicate<std::size_t> Sees>
 std::size_t farthest_looking_back(std::size_t i, std::size_t end, const Sees& sees) {
   std::size_t seen = end, hidden = end + 1;
   for (std::size_t step = 1; seen > i + 1 && !sees(seen); step *= 2) {

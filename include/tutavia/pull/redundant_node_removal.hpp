@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -65,7 +66,7 @@ struct RedundantNodeRemoval {
   }
 
  private:
-  template <class Sees>
+  template <std::predicate<const Point&, const Point&> Sees>
   static void remove_from_far_end(std::vector<Point>& nodes, const Sees& sees) {
     std::size_t kept = 1;
     for (std::size_t i = 0; i + 1 < nodes.size();) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace tutavia {
 /// forward while `sees(kept, next)` holds, and keeps the last node seen. The path gets no longer;
 /// it need not become the shortest of its kind. O(n) lines of sight. Source: the redundant-node
 /// removal of Yang et al., "Improved A* based on fused Theta*".
-template <class Node, class Sees>
+template <class Node, std::predicate<const Node&, const Node&> Sees>
 void remove_redundant(std::vector<Node>& path, const Sees& sees) {
   if (path.size() < 3) return;
   std::size_t kept = 1;  // nodes kept so far

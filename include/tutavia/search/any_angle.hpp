@@ -63,7 +63,7 @@ struct AnyAngle {
   }
 
  private:
-  template <class Pieces, Observer O>
+  template <detail::ConvexPieces Pieces, Observer O>
   static Expected<Route, Failure> search_in(const Pieces& pieces, const CellSpace& space,
                                             const Query& query, Scratch& scratch, O& observer) {
     Route route;

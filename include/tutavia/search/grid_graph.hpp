@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -15,6 +16,14 @@
 
 namespace tutavia {
 
+/// What the steps on a grid cost: `price(cell, step)` is the price of a step from a cell, in
+/// 1 / `scale` of the usual unit of cost.
+template <class P>
+concept StepPrices = requires(const P& prices, Cell cell, std::size_t step) {
+  { P::scale } -> std::convertible_to<Cost>;
+  { prices.price(cell, step) } -> std::same_as<Cost>;
+};
+
 /// Steps at their plain cost.
 struct PlainPrices {
   static constexpr Cost scale = 1;
@@ -22,8 +31,8 @@ struct PlainPrices {
 };
 
 /// The graph of a grid's free cells (node = cell index) and two more nodes for start and goal.
-/// `Prices` says what steps cost, in 1 / Prices::scale of the usual unit.
-template <GridSpace S, class Prices = PlainPrices>
+/// The links cost what they are long.
+template <GridSpace S, StepPrices Prices = PlainPrices>
 class GridGraph {
  public:
   GridGraph(const S& space, const Query& query, const LinkedQuery& linked, const Prices& prices)
@@ -90,7 +99,8 @@ struct GridGraphScratch {
 /// Best-first search on a GridGraph. `make_estimate(linked)` is a function that estimates the price
 /// from a cell to the goal. The route's cost is the price paid, in metres. The straight segment is
 /// tried first where steps have their plain cost.
-template <GridSpace S, class Prices, class MakeEstimate, Observer O>
+template <GridSpace S, StepPrices Prices, std::invocable<const LinkedQuery&> MakeEstimate,
+          Observer O>
 Expected<Route, Failure> graph_search(const S& space, const Query& query, GridGraphScratch& scratch,
                                       O& observer, const Prices& prices,
                                       const MakeEstimate& make_estimate) {

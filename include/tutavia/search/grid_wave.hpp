@@ -31,12 +31,20 @@ struct GridWaveScratch {
   Buckets buckets;
 };
 
+/// A heuristic by which a wave can be ordered in buckets: a function of cells, and the logarithm of
+/// how wide the buckets are (see BucketQueue).
+template <class H>
+concept WaveHeuristic = requires(const H& heuristic, Cell cell) {
+  { heuristic(cell) } -> std::same_as<Cost>;
+  { H::bucket_shift } -> std::convertible_to<int>;
+};
+
 /// One wave of expansions from a set of first cells, least f = g + h first. A* is one wave, and so
 /// is Dijkstra's algorithm; bidirectional search is two.
 ///
 /// `Canonical` waves follow only the successors of the canonical table, which reach every cell by a
 /// path as cheap.
-template <bool Canonical, class Heuristic, Observer O>
+template <bool Canonical, WaveHeuristic Heuristic, Observer O>
 class GridWave {
  public:
   /// A cell taken from the open list; its label is up to date.

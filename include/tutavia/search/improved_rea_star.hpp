@@ -43,9 +43,6 @@ class MiddleEvaluation {
     return root.g + (goal_ - middle(root.cells)).norm();
   }
 
-  void expand(const Passage&) {}
-  void reach(const CellInterval&) {}
-
   double enter(Passage& passage, const Passage& parent) {
     const Point at = middle(passage.cells);
     const double leg = (at - middle(parent.cells)).norm();

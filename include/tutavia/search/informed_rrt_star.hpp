@@ -78,8 +78,8 @@ class Ellipse {
 
 /// Uniform over what an ellipse with its foci in the bounds has in common with them: from the
 /// smaller of the two until the other one has it, too.
-template <class Growth>
-Point sample_in(const Ellipse& ellipse, Growth& growth) {
+template <FreeSpace S, Observer O>
+Point sample_in(const Ellipse& ellipse, TreeGrowth<S, O>& growth) {
   const Box& bounds = growth.bounds();
   if (ellipse.area() < bounds.width() * bounds.height()) {
     while (true) {

@@ -100,9 +100,38 @@ class IntervalScratch {
 
 namespace detail {
 
+/// A decomposition of the free cells of a grid into convex pieces with numbers. Corners (x, y) are
+/// those of cells, the lower left one of cell (x, y).
+///
+/// `open(piece)` gives what is to be known of a piece before its sides are asked for; two
+/// numbers name one piece where they are equal in that. `for_each_exit(opened, visit)` calls
+/// `visit(right, left, beyond)` for every side that a piece shares with another, `beyond`: the
+/// corners at its ends as seen from within. `for_each_near(cell, visit)` calls `visit(piece)` for
+/// every piece that touches a cell, and perhaps for others. `holds(piece, p, place)` says whether a
+/// point lies in a piece or on its border, where `place(corner)` is the place of a corner.
+template <class P>
+concept ConvexPieces = requires(const P& pieces, std::uint32_t piece, Cell cell, const Point& p,
+                                Point (*place)(Cell), void (*visit)(std::uint32_t),
+                                void (*visit_exit)(Cell, Cell, std::uint32_t)) {
+  { pieces.open(piece) } -> std::equality_comparable;
+  pieces.for_each_exit(pieces.open(piece), visit_exit);
+  pieces.for_each_near(cell, visit);
+  { pieces.holds(piece, p, place) } -> std::same_as<bool>;
+};
+
+/// Pieces of which it is known where they lead: `is_dead_end(piece)` says whether only paths that
+/// begin or end in a piece, or in dead ends behind it, need it; `way_out(piece)` is the neighbour
+/// that leads out of a dead end, or the piece itself where there is none; all dead ends have
+/// numbers less than `dead_end_limit()`.
+template <class P>
+concept PiecesWithDeadEnds = ConvexPieces<P> && requires(const P& pieces, std::uint32_t piece) {
+  { pieces.is_dead_end(piece) } -> std::same_as<bool>;
+  { pieces.way_out(piece) } -> std::same_as<std::uint32_t>;
+  { pieces.dead_end_limit() } -> std::same_as<std::size_t>;
+};
+
 /// One query over a decomposition of the free cells into convex pieces, RowRuns or NavigationMesh.
-/// Corners (x, y) are those of cells, the lower left one of cell (x, y).
-template <class Pieces, Observer O>
+template <ConvexPieces Pieces, Observer O>
 class IntervalSearch {
  public:
   IntervalSearch(const CellSpace& space, const Pieces& pieces, const Query& query,
@@ -179,7 +208,7 @@ class IntervalSearch {
 
   /// From the start to all sides of the pieces that hold it.
   void begin() {
-    scratch_.begin(corners_, pieces_.dead_end_limit());
+    scratch_.begin(corners_, dead_end_limit());
     for_each_around(query_.goal, [&](Piece piece) {
       goal_rooms_.push_back(pieces_.open(piece));
       mark_passage(piece);
@@ -198,11 +227,30 @@ class IntervalSearch {
     scratch_.successors.clear();
   }
 
+  std::size_t dead_end_limit() const {
+    if constexpr (PiecesWithDeadEnds<Pieces>) {
+      return pieces_.dead_end_limit();
+    } else {
+      return 0;
+    }
+  }
+
   /// The dead ends from a piece to where the ways part.
-  void mark_passage(Piece piece) {
-    while (pieces_.is_dead_end(piece) && !scratch_.is_passage(piece)) {
-      scratch_.set_passage(piece);
-      piece = pieces_.way_out(piece);
+  void mark_passage([[maybe_unused]] Piece piece) {
+    if constexpr (PiecesWithDeadEnds<Pieces>) {
+      while (pieces_.is_dead_end(piece) && !scratch_.is_passage(piece)) {
+        scratch_.set_passage(piece);
+        piece = pieces_.way_out(piece);
+      }
+    }
+  }
+
+  /// Whether a piece is a dead end that no path of this query enters.
+  bool leads_nowhere([[maybe_unused]] Piece piece) const {
+    if constexpr (PiecesWithDeadEnds<Pieces>) {
+      return pieces_.is_dead_end(piece) && !scratch_.is_passage(piece);
+    } else {
+      return false;
     }
   }
 
@@ -330,7 +378,7 @@ class IntervalSearch {
 
   void succeed(Cell root, double g, Cell right, Cell left, Cell right_ray, Cell left_ray,
                Piece piece) {
-    if (pieces_.is_dead_end(piece) && !scratch_.is_passage(piece)) return;
+    if (leads_nowhere(piece)) return;
     Node node{0, g, root, piece, right, left, right_ray, left_ray};
     node.f = g + estimate(node);
     if (node.f >= best_) return;

@@ -13,12 +13,10 @@
 
 namespace tutavia {
 
-/// Scans for jump points in the stop planes of a grid (see JumpSearch).
+/// Scans for jump points in the stop planes of a grid (see JumpScanner).
 struct PlaneScanner {
   OccupancyGrid::View grid;
   const StopPlanes& planes;
-
-  void prefetch(Cell) const {}
 
   template <std::size_t Step>
   int straight(Cell from) const {

@@ -60,7 +60,7 @@ struct JpsThetaStar {
       return jump_search(
           space, query, scanner,
           [&](const LinkedQuery& linked) {
-            return LookBackGuide<S>{{*this, linked.goal_cell}, space};
+            return SeeingGuide<S>{{*this, linked.goal_cell}, space};
           },
           scratch, observer, straighten);
     }
@@ -75,7 +75,6 @@ struct JpsThetaStar {
  private:
   struct Guide {
     using Open = JumpHeap;
-    static constexpr bool looks_back = false;
 
     const JpsThetaStar& options;
     Cell goal;
@@ -87,9 +86,7 @@ struct JpsThetaStar {
     }
   };
   template <SightSpace S>
-  struct LookBackGuide : Guide {
-    static constexpr bool looks_back = true;
-
+  struct SeeingGuide : Guide {
     const S& space;
 
     bool sees(Cell a, Cell b) const { return space.sees(a, b); }

@@ -29,8 +29,64 @@
 
 namespace tutavia {
 
+/// The open list of a jump point search: JumpQueue, for estimates that are consistent, or JumpHeap.
+///
+/// `begin(least)` empties it, and no key will be less. `push(key, node, note)` puts an entry in.
+/// `advance()` is a lower bound of all keys, less than `width` below that of the entry which
+/// `pop()` then takes out.
+template <class L>
+concept JumpOpenList = std::default_initializable<L> &&
+    requires(L& open, const L& constant, Cost key, std::uint32_t number) {
+  { L::width } -> std::convertible_to<Cost>;
+  open.begin(key);
+  { constant.empty() } -> std::same_as<bool>;
+  open.push(key, number, number);
+  { open.advance() } -> std::same_as<Cost>;
+  { open.pop().node } -> std::convertible_to<std::uint32_t>;
+  { open.pop().note } -> std::convertible_to<std::uint32_t>;
+};
+
+/// What jumps for a JumpSearch.
+///
+/// `straight<Step>(cell)` is the number of steps to the jump point in that direction, or -n where
+/// there are n steps to a wall. `diagonal<Step>(cell, goal, visit)` calls `visit(k, horizontal,
+/// vertical)` for each number k of diagonal steps after which one of the two straight jumps from
+/// there leads to a jump point, or to a goal next to the cell `goal`; the jumps are as `straight`
+/// has them.
+template <class S>
+concept JumpScanner = requires(const S& scanner, Cell cell, void (*visit)(int, int, int)) {
+  { scanner.template straight<0>(cell) } -> std::same_as<int>;
+  { scanner.template straight<2>(cell) } -> std::same_as<int>;
+  { scanner.template straight<4>(cell) } -> std::same_as<int>;
+  { scanner.template straight<6>(cell) } -> std::same_as<int>;
+  scanner.template diagonal<1>(cell, cell, visit);
+  scanner.template diagonal<3>(cell, cell, visit);
+  scanner.template diagonal<5>(cell, cell, visit);
+  scanner.template diagonal<7>(cell, cell, visit);
+};
+
+/// A scanner that reads ahead: `prefetch(cell)` announces a cell that will be jumped from.
+template <class S>
+concept PrefetchingScanner = JumpScanner<S> && requires(const S& scanner, Cell cell) {
+  scanner.prefetch(cell);
+};
+
+/// What guides a JumpSearch: `Open` is the type of its open list, `estimate(cell)` what the way
+/// from a cell to the goal may cost.
+template <class G>
+concept JumpGuide = JumpOpenList<typename G::Open> && requires(const G& guide, Cell cell) {
+  { guide.estimate(cell) } -> std::same_as<Cost>;
+};
+
+/// A guide that looks back: the jump points that a cell's parent sees, by `sees(a, b)`, become the
+/// parent's own.
+template <class G>
+concept LookBackGuide = JumpGuide<G> && requires(const G& guide, Cell cell) {
+  { guide.sees(cell, cell) } -> std::same_as<bool>;
+};
+
 /// Memory of a jump point search.
-template <class Open>
+template <JumpOpenList Open>
 struct JumpScratchWith {
   JumpLabels labels;
   Open open;
@@ -41,7 +97,6 @@ using JumpScratch = JumpScratchWith<JumpQueue>;
 /// What guides jump point search proper: octile distance, and no looking back.
 struct OctileGuide {
   using Open = JumpQueue;
-  static constexpr bool looks_back = false;
 
   explicit OctileGuide(const LinkedQuery& linked) : octile{linked.goal_cell, linked.goal_offset} {}
   Cost estimate(Cell cell) const { return octile(cell); }
@@ -53,17 +108,7 @@ struct OctileGuide {
 ///
 /// Only cells with a forced neighbour enter the open list; diagonal jump points, where a path does
 /// nothing but turn, are passed on the way. Goals are met while jumping and never enter it either.
-///
-/// A `Scanner` jumps. `scanner.straight<Step>(cell)` is the number of steps to the jump point in
-/// that direction, or -n where there are n steps to a wall. `scanner.diagonal<Step>(cell, goal,
-/// visit)` calls `visit(k, horizontal, vertical)` for each number k of diagonal steps after which
-/// one of the two straight jumps from there leads to a jump point, or to a goal next to the cell
-/// `goal`; the jumps are as `straight` has them. `scanner.prefetch(cell)` says that a cell will be
-/// jumped from.
-///
-/// A `Guide` has the open list's type and estimates the cost to the goal; with `looks_back` the
-/// jump points that a cell's parent sees become its own, by `guide.sees(a, b)`.
-template <class Scanner, class Guide, Observer O>
+template <JumpScanner Scanner, JumpGuide Guide, Observer O>
 class JumpSearch {
  public:
   JumpSearch(const OccupancyGrid& grid, const Frame& frame, const Scanner& scanner,
@@ -212,14 +257,14 @@ class JumpSearch {
     for (Reached& to : std::span(reached_.data(), noted_)) {
       auto from = static_cast<std::uint32_t>(grid_.index(parent));
       const bool first = LabelWords::arrival(to.label) == no_step;
-      if (Guide::looks_back && !first) from = look_back(to, from);
+      if (LookBackGuide<Guide> && !first) from = look_back(to, from);
       if (!labels_.improve(to.index, to.label, from)) continue;
       const Cost f = labels_.words().g(to.label) + estimate(to.cell);
       if (f >= best_) continue;
       ++stats_.generated;
       if constexpr (!std::same_as<O, NoObserver>) observer_.generated(frame_.point(to.cell));
       open_.push(f, to.index, LabelWords::note(to.label));
-      scanner_.prefetch(to.cell);
+      if constexpr (PrefetchingScanner<Scanner>) scanner_.prefetch(to.cell);
     }
     noted_ = 0;
   }
@@ -244,7 +289,7 @@ class JumpSearch {
   }
 
   bool sees(Cell a, Cell b) const {
-    if constexpr (Guide::looks_back) {
+    if constexpr (LookBackGuide<Guide>) {
       return guide_.sees(a, b);
     } else {
       return false;
@@ -269,10 +314,11 @@ class JumpSearch {
 
 /// What all variants do around the search. `make_guide(linked)` makes the guide, `finish(cells)`
 /// may change the path found.
-template <GridSpace S, class Scanner, class MakeGuide, class Scratch, Observer O, class Finish>
+template <GridSpace S, JumpScanner Scanner, std::invocable<const LinkedQuery&> MakeGuide,
+          JumpOpenList Open, Observer O, std::invocable<std::vector<Cell>&> Finish>
 Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
-                                     const MakeGuide& make_guide, Scratch& scratch, O& observer,
-                                     const Finish& finish) {
+                                     const MakeGuide& make_guide, JumpScratchWith<Open>& scratch,
+                                     O& observer, const Finish& finish) {
   return search_grid(space, query, scratch.cells,
                      [&](const LinkedQuery& linked, std::vector<Cell>& cells,
                          Statistics& stats) -> std::optional<Failure> {
@@ -288,7 +334,7 @@ Expected<Route, Failure> jump_search(const S& space, const Query& query, const S
 }
 
 /// Jump point search proper.
-template <GridSpace S, class Scanner, Observer O>
+template <GridSpace S, JumpScanner Scanner, Observer O>
 Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
                                      JumpScratch& scratch, O& observer) {
   return jump_search(

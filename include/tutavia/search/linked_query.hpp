@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -193,7 +194,7 @@ inline Curve path_through(const std::vector<Cell>& cells, const LinkedQuery& lin
 ///
 /// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also where no cell around the
 /// point can be reached from it; `unreachable_at_resolution`; what `run` says.
-template <LinkedSpace S, class Run>
+template <LinkedSpace S, std::invocable<const LinkedQuery&, std::vector<Cell>&, Statistics&> Run>
 Expected<Route, Failure> search_grid(const S& space, const Query& query, std::vector<Cell>& cells,
                                      Run run, bool straight_first = true) {
   const auto linked = detail::link_query(space, query, straight_first);

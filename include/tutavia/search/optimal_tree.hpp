@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -67,19 +68,25 @@ struct NeighbourRule {
   static double logarithm(std::size_t n) { return std::log(static_cast<double>(n < 2 ? 2 : n)); }
 };
 
+/// What edges cost: `cost(p, q, length)` is the cost of the straight way from p to q, which is as
+/// long as that; at least its length.
+template <class C>
+concept EdgeCost = requires(const C& cost, const Point& p, double length) {
+  { cost(p, p, length) } -> std::same_as<double>;
+};
+
 /// What an edge costs that costs its length.
 struct LengthCost {
   double operator()(const Point&, const Point&, double length) const { return length; }
 };
 
-/// One tree of RRT*. `edge_cost(p, q, length)` is what the way from p to q costs, at least its
-/// length.
-template <class EdgeCost, FreeSpace S, Observer O>
+/// One tree of RRT*, its edges priced by an EdgeCost.
+template <EdgeCost Price, FreeSpace S, Observer O>
 class OptimalTree {
  public:
   using Node = SearchTree::Node;
 
-  OptimalTree(TreeGrowth<S, O>& growth, const NeighbourRule& rule, const EdgeCost& edge_cost,
+  OptimalTree(TreeGrowth<S, O>& growth, const NeighbourRule& rule, const Price& edge_cost,
               OptimalTreeScratch& scratch)
       : growth_(growth),
         rule_(rule),
@@ -187,18 +194,36 @@ class OptimalTree {
 
   TreeGrowth<S, O>& growth_;
   NeighbourRule rule_;
-  const EdgeCost& edge_cost_;
+  const Price& edge_cost_;
   OptimalTreeScratch& scratch_;
   SearchTree& tree_;
   Node goal_ = SearchTree::none;
   double best_ = infinity;
 };
 
+/// The options of a search with an `OptimalTree`; what they are, see RrtStar.
+template <class T>
+concept OptimalTreeOptions = requires(const T& options) {
+  { options.step } -> std::same_as<const std::optional<double>&>;
+  { options.goal_bias } -> std::same_as<const double&>;
+  { options.iterations } -> std::same_as<const std::uint32_t&>;
+  { options.neighbours } -> std::same_as<const Neighbours&>;
+  { options.rewire_factor } -> std::same_as<const double&>;
+};
+
+/// Where a tree with a path samples, given the arguments that a search has for it: some point in
+/// the bounds.
+template <class F, class... Arguments>
+concept Sampler = requires(const F& sample, Arguments&... arguments) {
+  { sample(arguments...) } -> std::same_as<Point>;
+};
+
 /// Grows a tree towards as many samples as `options.iterations` and takes its best path, also where
 /// the budget ends before they do. From the first path on the samples are `sample(cost of the best
 /// path)`, before that uniform with `options.goal_bias`.
-template <class Options, class EdgeCost, FreeSpace S, Observer O, class Sample>
-Expected<Route, Failure> grow_route(OptimalTree<EdgeCost, S, O>& tree, TreeGrowth<S, O>& growth,
+template <OptimalTreeOptions Options, EdgeCost Price, FreeSpace S, Observer O,
+          Sampler<double> Sample>
+Expected<Route, Failure> grow_route(OptimalTree<Price, S, O>& tree, TreeGrowth<S, O>& growth,
                                     const Options& options, const Sample& sample) {
   Failure end{.code = PlanError::budget_exhausted};
   for (std::uint32_t i = 0; i < options.iterations; ++i) {
@@ -219,7 +244,7 @@ Expected<Route, Failure> grow_route(OptimalTree<EdgeCost, S, O>& tree, TreeGrowt
 }
 
 /// What is wrong with the options of a search with an `OptimalTree`, or with the query.
-template <class Options, FreeSpace S>
+template <OptimalTreeOptions Options, FreeSpace S>
 std::optional<Failure> check_optimal_growth(const Options& options, const S& space,
                                             const Query& query) {
   if (auto failure = NeighbourRule{options.neighbours, options.rewire_factor}.check()) {
@@ -230,7 +255,8 @@ std::optional<Failure> check_optimal_growth(const Options& options, const S& spa
 
 /// A search for the shortest path. From the first path on the samples are `sample(growth, cost of
 /// the best path)`.
-template <class Options, FreeSpace S, Observer O, class Sample>
+template <OptimalTreeOptions Options, FreeSpace S, Observer O,
+          Sampler<TreeGrowth<S, O>, double> Sample>
 Expected<Route, Failure> search_with_optimal_tree(const Options& options, const S& space,
                                                   const Query& query, OptimalTreeScratch& scratch,
                                                   O& observer, const Sample& sample) {

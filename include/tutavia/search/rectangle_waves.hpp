@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -36,9 +37,36 @@ struct Passage {
   std::uint64_t asked = 0;    ///< in which expansion it was considered last
 };
 
-/// What a wave of rectangles keeps between queries: memory. `Evaluation` says what passages cost
-/// and keeps its own.
-template <class Evaluation>
+/// What passages cost to one wave of rectangles. It keeps memory of its own.
+///
+/// - `begin(goal, offset, grid)`: a query begins; the goal is where the wave goes to
+/// - `root(passage, cost)`, `enter(passage, parent)`: the key of a new passage
+/// - `place_before(passage, cell)`: where the way to a cell of its rectangle passes it
+/// - `meet(passage, other evaluation, other's passage, joint)`: the length and the cell of the best
+///   meeting in the cells `joint` of the other's passage, which lie in the rectangle that grew from
+///   `passage`
+template <class E>
+concept PassageEvaluation = std::default_initializable<E> &&
+    requires(E& evaluation, const E& other, Passage& passage, const Passage& from,
+             const CellInterval& cells, Cell cell, Cost cost, const OccupancyGrid& grid) {
+  evaluation.begin(cell, cost, grid);
+  { evaluation.root(passage, cost) } -> std::same_as<double>;
+  { evaluation.enter(passage, from) } -> std::same_as<double>;
+  { evaluation.place_before(from, cell) } -> std::same_as<int>;
+  { evaluation.meet(from, other, from, cells) } -> std::same_as<std::pair<double, Cell>>;
+};
+
+/// An evaluation that looks at cells from the passage expanded last: `expand(passage)` says that a
+/// rectangle grows from it, or is looked at again; `reach(edge)` that its side `edge` is left next.
+template <class E>
+concept ReachEvaluation = PassageEvaluation<E> &&
+    requires(E& evaluation, const Passage& from, const CellInterval& edge) {
+  evaluation.expand(from);
+  evaluation.reach(edge);
+};
+
+/// What a wave of rectangles keeps between queries: memory.
+template <PassageEvaluation Evaluation>
 struct RectangleWave {
   struct Entry {
     double key;
@@ -56,7 +84,7 @@ struct RectangleWave {
   Evaluation evaluation;
 };
 
-template <class Evaluation>
+template <PassageEvaluation Evaluation>
 struct RectangleWavesScratch {
   std::array<RectangleWave<Evaluation>, 2> waves;
   std::vector<CellRun> exits;
@@ -70,16 +98,7 @@ struct RectangleWavesScratch {
 /// cells in a rectangle of the other wave is a meeting, too. A passage whose next cells lie in
 /// rectangles of its wave already leads nowhere new and is left out; a wave that comes to its end
 /// has therefore seen all it can reach.
-///
-/// An Evaluation, one for each wave:
-/// - `begin(goal, offset, grid)`: a query begins; the goal is where the wave goes to
-/// - `root(passage, cost)`, `enter(passage, parent)`: the key of a new passage
-/// - `expand(passage)`: a rectangle grows from it; `reach(edge)`: its side `edge` is left next
-/// - `place_before(passage, cell)`: where the way to a cell of its rectangle passes it
-/// - `meet(evaluation, passage, other evaluation, other's passage, joint)`: the length and the cell
-///   of the best meeting in the cells `joint` of the other's passage, which lie in the rectangle
-///   that grew from `passage`
-template <class S, class Evaluation, class O>
+template <ColumnSpace S, PassageEvaluation Evaluation, Observer O>
 class RectangleWaves {
  public:
   using Wave = RectangleWave<Evaluation>;
@@ -215,7 +234,7 @@ class RectangleWaves {
     wave.passages[from].rectangle = r;
     wave.expanded.push_back(from);
     wave.covered.add(r);
-    wave.evaluation.expand(wave.passages[from]);
+    begin_reach(wave, wave.passages[from]);
     other.marked.for_each_in(r, [&](Cell cell) {
       const std::uint32_t passage = other.markers[space_.grid().index(cell)];
       if (std::exchange(other.passages[passage].asked, stats_.expanded) != stats_.expanded) {
@@ -243,10 +262,18 @@ class RectangleWaves {
       for (const std::uint32_t entry : other.expanded) {
         const Passage& grown = other.passages[entry];
         if (grown.rectangle.clip(wave.passages[p].cells).run().size() <= 0) continue;
-        other.evaluation.expand(grown);
+        begin_reach(other, grown);
         consider(1 - turn, entry, p);
       }
     }
+  }
+
+  /// Tells an evaluation, if it wishes to know.
+  static void begin_reach(Wave& wave, const Passage& from) {
+    if constexpr (ReachEvaluation<Evaluation>) wave.evaluation.expand(from);
+  }
+  static void reach(Wave& wave, const CellInterval& edge) {
+    if constexpr (ReachEvaluation<Evaluation>) wave.evaluation.reach(edge);
   }
 
   /// Adds the passages out of a rectangle over an edge of it.
@@ -262,7 +289,7 @@ class RectangleWaves {
     for (const auto& [first, last] : scratch_.exits) {
       const CellInterval cells{edge.axis, edge.line, first, last, edge.side};
       if (wave.covered.holds(cells.beyond())) continue;
-      if (!std::exchange(reached, true)) wave.evaluation.reach(asked);
+      if (!std::exchange(reached, true)) reach(wave, asked);
       Passage passage{.cells = cells, .parent = from};
       const double key = wave.evaluation.enter(passage, wave.passages[from]);
       push(wave, passage, key);
@@ -292,7 +319,8 @@ class RectangleWaves {
 
 /// Searches by waves of rectangles; `lay_path(rails, joint, cells)` makes of the rails the cells of
 /// the path's corners, from the last to the first.
-template <class Evaluation, ColumnSpace S, class LayPath, class O>
+template <PassageEvaluation Evaluation, ColumnSpace S,
+          std::invocable<std::vector<Rail>&, std::size_t, std::vector<Cell>&> LayPath, Observer O>
 Expected<Route, Failure> rectangle_waves(const S& space, const Query& query,
                                          RectangleWavesScratch<Evaluation>& scratch, O& observer,
                                          std::string_view name, bool continue_after_contact,

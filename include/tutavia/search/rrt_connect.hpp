@@ -82,8 +82,8 @@ struct RrtConnect {
   }
 
   /// Adds a step towards a target to a tree, if there is one.
-  template <class Growth>
-  static bool extend(Growth& growth, SearchTree& tree, const Point& target) {
+  template <FreeSpace S, Observer O>
+  static bool extend(detail::TreeGrowth<S, O>& growth, SearchTree& tree, const Point& target) {
     const SearchTree::Node nearest = tree.points().nearest(target);
     const auto end = growth.step_towards(tree, nearest, target);
     if (end) growth.add(tree, nearest, *end, distance(tree.position(nearest), *end));

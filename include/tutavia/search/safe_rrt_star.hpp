@@ -82,9 +82,8 @@ class OutsideRiskZone {
 
 /// Drops nodes of a path between which the straight way is free and costs no more, and gives the
 /// path and its cost.
-template <FreeSpace S, class EdgeCost>
-Route pruned(const S& space, const std::vector<Point>& path, const EdgeCost& edge_cost,
-             bool prune) {
+template <FreeSpace S, EdgeCost Price>
+Route pruned(const S& space, const std::vector<Point>& path, const Price& edge_cost, bool prune) {
   struct Node {
     Point place;
     double cost;  // of the way there

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -26,6 +27,12 @@ struct SwarmResult {
   double value = std::numeric_limits<double>::infinity();
   /// The least value known after the first positions and after each iteration.
   std::vector<double> training{};
+};
+
+/// What a swarm minimises: a function of numbers that several threads may call at once.
+template <class F>
+concept SwarmObjective = requires(const F& value, std::span<const double> position) {
+  { value(position) } -> std::convertible_to<double>;
 };
 
 /// The salp swarm algorithm: some salps lead, looking around the best place known within a reach
@@ -55,7 +62,7 @@ struct SalpSwarm {
   /// Errors: `invalid_option` for no population, iterations or leaders and for more leaders than
   /// salps, `invalid_input` for bounds that are not finite, reversed or of different number; what
   /// the budget says.
-  template <class F>
+  template <SwarmObjective F>
   Expected<SwarmResult, Failure> minimise(const F& value, std::span<const double> lower,
                                           std::span<const double> upper,
                                           const Budget& budget = {}) const;
@@ -92,7 +99,7 @@ struct SalpSwarm {
     }
   }
 
-  template <class F>
+  template <SwarmObjective F>
   std::vector<double> values(const F& value, const std::vector<Position>& salps) const {
     std::vector<double> results(salps.size());
     for_each_in_parallel(salps.size(), threads, [&] {
@@ -105,7 +112,7 @@ struct SalpSwarm {
   }
 };
 
-template <class F>
+template <SwarmObjective F>
 Expected<SwarmResult, Failure> SalpSwarm::minimise(const F& value, std::span<const double> lower,
                                                    std::span<const double> upper,
                                                    const Budget& budget) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -42,10 +43,10 @@ inline void trace(const OccupancyGrid& grid, const GridLabels::View& labels, Cel
 }  // namespace detail
 
 /// Searches from the start's links to the goal's, and stops when no cell can lead to a cheaper
-/// path than the best one found.
-template <bool Canonical, GridSpace S, class Heuristic, Observer O>
+/// path than the best one found. `make_heuristic(linked)` makes the wave's heuristic.
+template <bool Canonical, GridSpace S, std::invocable<const LinkedQuery&> MakeHeuristic, Observer O>
 Expected<Route, Failure> wave_search(const S& space, const Query& query, WaveScratch& scratch,
-                                     O& observer, const Heuristic& make_heuristic) {
+                                     O& observer, const MakeHeuristic& make_heuristic) {
   const auto run = [&](const LinkedQuery& linked, std::vector<Cell>& cells,
                        Statistics& stats) -> std::optional<Failure> {
     const OccupancyGrid& grid = space.grid();

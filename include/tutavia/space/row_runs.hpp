@@ -71,11 +71,6 @@ class RowRuns {
     });
   }
 
-  /// Dead ends are not known without preparation.
-  static bool is_dead_end(Piece) { return false; }
-  static Piece way_out(Piece piece) { return piece; }
-  static std::size_t dead_end_limit() { return 0; }
-
  private:
   Piece piece(Cell cell) const { return static_cast<Piece>(grid_.index(cell)); }
 
