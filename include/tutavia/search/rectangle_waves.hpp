@@ -152,6 +152,8 @@ class RectangleWaves {
   }
 
  private:
+  static constexpr bool looks_from_cells = ReachEvaluation<Evaluation>;
+
   struct Meeting {
     double length = std::numeric_limits<double>::max();
     Cell cell{};
@@ -234,7 +236,7 @@ class RectangleWaves {
     wave.passages[from].rectangle = r;
     wave.expanded.push_back(from);
     wave.covered.add(r);
-    begin_reach(wave, wave.passages[from]);
+    if constexpr (looks_from_cells) wave.evaluation.expand(wave.passages[from]);
     other.marked.for_each_in(r, [&](Cell cell) {
       const std::uint32_t passage = other.markers[space_.grid().index(cell)];
       if (std::exchange(other.passages[passage].asked, stats_.expanded) != stats_.expanded) {
@@ -262,18 +264,10 @@ class RectangleWaves {
       for (const std::uint32_t entry : other.expanded) {
         const Passage& grown = other.passages[entry];
         if (grown.rectangle.clip(wave.passages[p].cells).run().size() <= 0) continue;
-        begin_reach(other, grown);
+        if constexpr (looks_from_cells) other.evaluation.expand(grown);
         consider(1 - turn, entry, p);
       }
     }
-  }
-
-  /// Tells an evaluation, if it wishes to know.
-  static void begin_reach(Wave& wave, const Passage& from) {
-    if constexpr (ReachEvaluation<Evaluation>) wave.evaluation.expand(from);
-  }
-  static void reach(Wave& wave, const CellInterval& edge) {
-    if constexpr (ReachEvaluation<Evaluation>) wave.evaluation.reach(edge);
   }
 
   /// Adds the passages out of a rectangle over an edge of it.
@@ -289,7 +283,9 @@ class RectangleWaves {
     for (const auto& [first, last] : scratch_.exits) {
       const CellInterval cells{edge.axis, edge.line, first, last, edge.side};
       if (wave.covered.holds(cells.beyond())) continue;
-      if (!std::exchange(reached, true)) reach(wave, asked);
+      if (!std::exchange(reached, true)) {
+        if constexpr (looks_from_cells) wave.evaluation.reach(asked);
+      }
       Passage passage{.cells = cells, .parent = from};
       const double key = wave.evaluation.enter(passage, wave.passages[from]);
       push(wave, passage, key);
