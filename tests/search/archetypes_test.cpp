@@ -2,6 +2,7 @@
 #include "support/archetypes.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -103,6 +104,8 @@ static_assert(!Searcher<ReaStar, GridArchetype> && !Searcher<SbReaStar, GridArch
 static_assert(!Searcher<ImprovedReaStar, ColumnArchetype>);
 static_assert(!Searcher<ImprovedReaStar, SightArchetype>);
 static_assert(!Searcher<AnyAngle, WorkspaceArchetype> && Searcher<AnyAngle, CellSpace>);
+
+static_assert(!std::constructible_from<FreeRectangles, const GridArchetype&>);
 
 TEST_CASE("the registry lists the searches that work on a space") {
   const auto count = [](const auto& searches, std::string_view name) {
