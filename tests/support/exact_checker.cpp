@@ -171,6 +171,7 @@ class ExactChecker::Judge {
     }
     std::erase_if(cuts, [](const Q& t) { return t < 0 || t > 1; });
     std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     for (std::size_t i = 0; i < cuts.size(); ++i) {
       const Q t = i + 1 < cuts.size() ? Q((cuts[i] + cuts[i + 1]) / 2) : cuts[i];
       if (is_swallowed({p.x + t * d.x, p.y + t * d.y})) return ExactVerdict::blocked;
