@@ -2,6 +2,7 @@
 #include "tutavia/planner.hpp"
 
 #include "support/catch.hpp"
+#include "support/reference_distance.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/pull/shortcut.hpp"
 #include "tutavia/search/astar.hpp"
@@ -12,6 +13,7 @@
 #include "tutavia/smooth/b_spline_smoother.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
+#include "tutavia/world/maps.hpp"
 
 namespace {
 

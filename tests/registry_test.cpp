@@ -6,6 +6,8 @@
 #include "support/registry.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/planner.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/world/maps.hpp"
 
 namespace {
 

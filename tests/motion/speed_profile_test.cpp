@@ -13,6 +13,7 @@
 
 #include "support/catch.hpp"
 #include "support/random_tasks.hpp"
+#include "support/random_worlds.hpp"
 #include "support/scale.hpp"
 #include "tutavia/pull/taut_string.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"

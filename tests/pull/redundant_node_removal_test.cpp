@@ -3,8 +3,12 @@
 
 #include <cmath>
 
+#include "support/random_worlds.hpp"
+#include "support/scale.hpp"
+#include "support/searcher_contract.hpp"
 #include "support/smoother_contract.hpp"
 #include "support/touching_run.hpp"
+#include "tutavia/search/astar.hpp"
 
 namespace {
 

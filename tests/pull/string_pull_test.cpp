@@ -11,6 +11,7 @@
 #include "support/random_grids.hpp"
 #include "support/scale.hpp"
 #include "support/skip.hpp"
+#include "support/smoother_contract.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/io/moving_ai.hpp"
 #include "tutavia/search/any_angle.hpp"
@@ -45,6 +46,10 @@ bool is_taut(const OccupancyGrid& grid, const std::vector<test::Half>& path) {
     if (bend == 0 || !against) return false;
   }
   return true;
+}
+
+TEST_CASE("StringPull keeps the smoother contract") {
+  test::smoother_contract(StringPull{}, {.robot = test::Robot::point});
 }
 
 TEST_CASE("strings pulled from shortest paths are shortest, from others taut and no longer") {

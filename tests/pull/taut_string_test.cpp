@@ -10,11 +10,15 @@
 #include "support/homotopy.hpp"
 #include "support/random_grids.hpp"
 #include "support/random_tasks.hpp"
+#include "support/random_worlds.hpp"
+#include "support/scale.hpp"
 #include "support/similarity.hpp"
 #include "support/smoother_contract.hpp"
+#include "tutavia/certify/certify.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/pull/shortcut.hpp"
 #include "tutavia/pull/string_pull.hpp"
+#include "tutavia/search/astar.hpp"
 #include "tutavia/space/cell_space.hpp"
 
 namespace {

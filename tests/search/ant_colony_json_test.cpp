@@ -7,6 +7,7 @@
 #include "support/paper_maps.hpp"
 #include "support/random_grids.hpp"
 #include "support/random_query.hpp"
+#include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/ant_colony.hpp"
 #include "tutavia/search/astar.hpp"
@@ -18,7 +19,8 @@ using namespace tutavia;
 using test::search_once;
 
 TEST_CASE("AntColony keeps the searcher contract") {
-  test::searcher_contract(AntColony{.iterations = 5}, test::Completeness::gives_up);
+  test::searcher_contract(AntColony{.iterations = 5},
+                          {.completeness = test::Completeness::gives_up});
 }
 
 TEST_CASE("what ants find is a path, the same from the same seed") {

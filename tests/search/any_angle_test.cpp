@@ -9,8 +9,10 @@
 #include "support/catch.hpp"
 #include "support/corner_paths.hpp"
 #include "support/moving_ai_maps.hpp"
+#include "support/prepared.hpp"
 #include "support/random_grids.hpp"
 #include "support/scale.hpp"
+#include "support/searcher_contract.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/theta_star.hpp"
@@ -35,6 +37,11 @@ void check_corner_search(const CellSpace& space, const test::CornerRules& rules,
   CHECK(rules.allows(test::joints_in_halves(route->curve)));
   CHECK(route->cost >= shortest * (1 - 1e-9));
   CHECK(route->cost <= shortest * 1.1);
+}
+
+TEST_CASE("AnyAngle keeps the searcher contract, on rows and on a mesh") {
+  test::searcher_contract(AnyAngle{}, {.robot = test::Robot::point});
+  test::searcher_contract(test::PreparedEachTime<AnyAngle>{}, {.robot = test::Robot::point});
 }
 
 TEST_CASE("any-angle paths are as short as a visibility graph's, between centres and corners",

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/search/astar.hpp"
 
+#include "support/random_worlds.hpp"
+#include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/dijkstra.hpp"
+#include "tutavia/world/maps.hpp"
 
 namespace {
 

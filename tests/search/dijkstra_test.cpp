@@ -4,6 +4,8 @@
 #include <queue>
 #include <vector>
 
+#include "support/random_worlds.hpp"
+#include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 
 namespace {

@@ -15,6 +15,7 @@
 #include "support/random_query.hpp"
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
+#include "support/prepared.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/bidirectional_astar.hpp"
@@ -293,6 +294,7 @@ TEST_CASE("the searches on grids keep the searcher contract") {
   test::searcher_contract(BidirectionalAStar{});
   test::searcher_contract(PenaltyAStar{});
   test::searcher_contract(Jps{});
+  test::searcher_contract(test::PreparedEachTime<JpsPlus>{});
 }
 
 TEST_CASE("searches refuse options without a meaning") {

@@ -3,6 +3,7 @@
 
 #include "support/tree_contract.hpp"
 #include "tutavia/search/rrt_star.hpp"
+#include "tutavia/world/maps.hpp"
 
 namespace {
 

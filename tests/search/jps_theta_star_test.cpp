@@ -11,6 +11,7 @@
 #include "support/free_route.hpp"
 #include "support/random_grids.hpp"
 #include "support/random_query.hpp"
+#include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/search/astar.hpp"

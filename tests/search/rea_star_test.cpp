@@ -7,6 +7,7 @@
 #include "support/free_route.hpp"
 #include "support/random_grids.hpp"
 #include "support/random_query.hpp"
+#include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/dijkstra.hpp"
 #include "tutavia/space/cell_space.hpp"

@@ -12,6 +12,7 @@
 #include "support/moving_ai_maps.hpp"
 #include "support/random_grids.hpp"
 #include "support/random_query.hpp"
+#include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/dijkstra.hpp"
 #include "tutavia/search/improved_rea_star.hpp"

@@ -5,9 +5,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "support/scale.hpp"
 #include "support/tree_contract.hpp"
+#include "tutavia/certify/certify.hpp"
 #include "tutavia/search/rrt.hpp"
 #include "tutavia/search/tangent_graph.hpp"
+#include "tutavia/world/maps.hpp"
 
 namespace {
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/search/rrt.hpp"
 
+#include "support/searcher_contract.hpp"
 #include "support/tree_contract.hpp"
+#include "tutavia/world/maps.hpp"
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "tutavia/planner.hpp"
 #include "tutavia/search/rrt_star.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
+#include "tutavia/world/maps.hpp"
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "support/paper_maps.hpp"
 #include "support/random_grids.hpp"
 #include "support/random_query.hpp"
+#include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/ssa_astar.hpp"

@@ -7,6 +7,7 @@
 
 #include "support/free_route.hpp"
 #include "support/random_grids.hpp"
+#include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/search/astar.hpp"

@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "support/searcher_contract.hpp"
 #include "support/smoother_contract.hpp"
+#include "tutavia/search/astar.hpp"
 
 namespace {
 

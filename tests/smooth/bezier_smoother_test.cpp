@@ -7,6 +7,7 @@
 
 #include "support/random_tasks.hpp"
 #include "support/smoother_contract.hpp"
+#include "tutavia/certify/certify.hpp"
 
 namespace {
 

@@ -7,8 +7,11 @@
 #include "support/exact_checker.hpp"
 #include "support/homotopy.hpp"
 #include "support/random_tasks.hpp"
+#include "support/random_worlds.hpp"
+#include "support/scale.hpp"
 #include "support/similarity.hpp"
 #include "support/smoother_contract.hpp"
+#include "tutavia/certify/certify.hpp"
 #include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/smooth/pipeline.hpp"
 
@@ -17,9 +20,9 @@ namespace {
 using namespace tutavia;
 
 TEST_CASE("ClothoidSmoother keeps the smoother contract") {
-  test::smoother_contract(ClothoidSmoother{}, 1.01);
-  test::smoother_contract(ClothoidSmoother{.spirals = Spirals::cubic_beziers}, 1.01);
-  test::smoother_contract(Pipeline{TautString{}, ClothoidSmoother{}}, 1.01);
+  test::smoother_contract(ClothoidSmoother{}, {.longest = 1.01});
+  test::smoother_contract(ClothoidSmoother{.spirals = Spirals::cubic_beziers}, {.longest = 1.01});
+  test::smoother_contract(Pipeline{TautString{}, ClothoidSmoother{}}, {.longest = 1.01});
 }
 
 /// A world of one obstacle, and a route around it.

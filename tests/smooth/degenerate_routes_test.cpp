@@ -12,6 +12,7 @@
 #include "support/catch.hpp"
 #include "support/exact_checker.hpp"
 #include "support/random_tasks.hpp"
+#include "support/random_worlds.hpp"
 #include "support/registry.hpp"
 #include "support/scale.hpp"
 #include "tutavia/certify/certify.hpp"

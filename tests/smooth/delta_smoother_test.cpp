@@ -4,7 +4,11 @@
 #include <limits>
 
 #include "support/random_tasks.hpp"
+#include "support/searcher_contract.hpp"
 #include "support/smoother_contract.hpp"
+#include "tutavia/certify/certify.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/world/maps.hpp"
 
 namespace {
 

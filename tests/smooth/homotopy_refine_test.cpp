@@ -6,6 +6,7 @@
 #include "support/homotopy.hpp"
 #include "support/random_tasks.hpp"
 #include "support/smoother_contract.hpp"
+#include "tutavia/certify/certify.hpp"
 #include "tutavia/pull/taut_string.hpp"
 #include "tutavia/smooth/pipeline.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "support/catch.hpp"
 #include "support/random_tasks.hpp"
+#include "support/random_worlds.hpp"
 #include "support/scale.hpp"
 #include "support/similarity.hpp"
 #include "tutavia/pull/redundant_node_removal.hpp"

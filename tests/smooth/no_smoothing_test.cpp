@@ -8,7 +8,7 @@ namespace {
 using namespace tutavia;
 
 TEST_CASE("NoSmoothing keeps the smoother contract and changes nothing") {
-  test::smoother_contract(NoSmoothing{});
+  test::smoother_contract(NoSmoothing{}, {.budget = test::BudgetUse::ignored});
   const Point points[] = {{1, 2}, {3, 4}, {5, 4}};
   const Curve curve = Curve::polyline(points);
   CHECK(test::same_curve(NoSmoothing{}.smooth(0, curve, Budget{}).value(), curve));

@@ -6,6 +6,7 @@
 
 #include "support/smoother_contract.hpp"
 #include "support/touching_run.hpp"
+#include "tutavia/certify/certify.hpp"
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "support/smoother_contract.hpp"
+#include "tutavia/certify/certify.hpp"
 #include "tutavia/space/cell_space.hpp"
 
 namespace {
@@ -12,9 +13,10 @@ namespace {
 using namespace tutavia;
 
 TEST_CASE("TwoStageBSpline keeps the smoother contract") {
-  test::smoother_contract(TwoStageBSpline{}, 3);
-  test::smoother_contract(TwoStageBSpline{.d0 = 0}, 1);  // nothing pushes
-  test::smoother_contract(TwoStageBSpline{.a = 0.1, .b = 0.1, .d0 = 4, .passes = 3}, 31);
+  test::smoother_contract(TwoStageBSpline{}, {.longest = 3});
+  test::smoother_contract(TwoStageBSpline{.d0 = 0});  // nothing pushes
+  test::smoother_contract(TwoStageBSpline{.a = 0.1, .b = 0.1, .d0 = 4, .passes = 3},
+                          {.longest = 31});
 }
 
 /// A grid drawn as text, the first line at the top.

@@ -75,15 +75,22 @@ inline Real reference_clearance(const Workspace& world, const Point& p) {
   return result;
 }
 
-/// The least clearance among many points of a curve, joints included.
+/// The least clearance among many points of a piece, its ends included.
+inline Real sampled_clearance(const Workspace& world, const Piece& piece, int per_piece = 32) {
+  Real result = std::numeric_limits<Real>::infinity();
+  for (int i = 0; i <= per_piece; ++i) {
+    const double t = static_cast<double>(i) / per_piece;
+    const Point p = piece.visit([&](const auto& any) -> Point { return any.point(t); });
+    result = std::min(result, reference_clearance(world, p));
+  }
+  return result;
+}
+
+/// The least clearance among many points of a curve, those between pieces included.
 inline Real sampled_clearance(const Workspace& world, const Curve& curve, int per_piece = 32) {
   Real result = std::numeric_limits<Real>::infinity();
   for (const Piece& piece : curve.pieces()) {
-    for (int i = 0; i <= per_piece; ++i) {
-      const double t = static_cast<double>(i) / per_piece;
-      const Point p = piece.visit([&](const auto& any) -> Point { return any.point(t); });
-      result = std::min(result, reference_clearance(world, p));
-    }
+    result = std::min(result, sampled_clearance(world, piece, per_piece));
   }
   return result;
 }

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "support/exact_checker.hpp"
+#include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "support/tree_invariants.hpp"
+#include "tutavia/certify/certify.hpp"
 #include "tutavia/search/rrt_connect.hpp"
 #include "tutavia/search/tree_growth.hpp"
 #include "tutavia/space/cell_space.hpp"
@@ -89,97 +91,152 @@ void check_tree_options(const A& algorithm, const InflatedSpace& space, const Qu
   }
 }
 
+/// The clauses of the contract for searches that grow trees at random.
+template <class A>
+class TreeTrial {
+ public:
+  TreeTrial(const A& algorithm, std::uint64_t golden)
+      : algorithm_(algorithm),
+        golden_(golden),
+        maze_(maps::maze()),
+        space_(InflatedSpace::build(maze_.workspace).value()),
+        query_{.start = maze_.start, .goal = maze_.goals[0], .seed = 7} {}
+
+  void run() {
+    check_tree_options(algorithm_, space_, query_);
+    grows_the_same_tree_from_the_same_seed();
+    grows_another_tree_from_another_seed();
+    tells_of_better_paths();
+    searches_for_nothing_in_full_view();
+    gives_up_after_its_iterations();
+    finds_routes_among_cells();
+    is_exact_on_all_scenes();
+  }
+
+ private:
+  Expected<Route, Failure> search(const InflatedSpace& space, const Query& query) {
+    NoObserver nobody;
+    return algorithm_.search(space, query, used_, nobody);
+  }
+
+  void grows_the_same_tree_from_the_same_seed() {
+    INFO("the same seed gives the same tree, also in used memory");
+    REQUIRE(search(space_, query_));
+    const std::uint64_t print = fingerprint(used_);
+#if !defined(__FMA__) && !defined(__aarch64__)
+    CHECK(print == golden_);
+#endif
+    REQUIRE(search(space_, query_));
+    CHECK(fingerprint(used_) == print);
+  }
+
+  void grows_another_tree_from_another_seed() {
+    INFO("another seed gives another tree, after which the first one gives its own again");
+    const auto first = search(space_, query_);
+    REQUIRE(first);
+    const std::uint64_t print = fingerprint(used_);
+    Query other = query_;
+    other.seed = 8;
+    const auto second = search(space_, other);
+    REQUIRE(second);
+    CHECK(fingerprint(used_) != print);
+    CHECK_FALSE(same_curve(first->curve, second->curve));
+    REQUIRE(search(space_, query_));
+    CHECK(fingerprint(used_) == print);
+  }
+
+  void tells_of_better_paths() {
+    INFO("better paths are told as they are found, and the last one is the best");
+    REQUIRE(search(space_, query_));
+    const std::uint64_t print = fingerprint(used_);
+    Improvements observer;
+    const auto watched = algorithm_.search(space_, query_, used_, observer);
+    REQUIRE(watched);
+    CHECK(fingerprint(used_) == print);
+    CHECK(observer.generated_nodes == watched->stats.generated);
+    REQUIRE(!observer.costs.empty());
+    for (std::size_t i = 1; i < observer.costs.size(); ++i) {
+      CHECK(observer.costs[i] < observer.costs[i - 1]);
+    }
+    CHECK(watched->cost <= observer.costs.back());
+    CHECK(observer.last.start() == query_.start);
+    CHECK(observer.last.end() == query_.goal);
+  }
+
+  void searches_for_nothing_in_full_view() {
+    INFO("nothing is searched for where start and goal see each other");
+    const auto straight =
+        search(space_, {.start = maze_.start, .goal = maze_.start + Point(0.01, 0)});
+    REQUIRE(straight);
+    CHECK(straight->curve.pieces().size() == 1);
+    CHECK(straight->stats.expanded == 0);
+  }
+
+  void gives_up_after_its_iterations() {
+    INFO("a closed room is searched until the iterations are used up");
+    const auto room = InflatedSpace::build({.bounds = {{0, 0}, {10, 10}},
+                                            .safety_radius = 0.1,
+                                            .obstacles = {Polygon{{{5, -1}, {5, 11}}}}})
+                          .value();
+    A few = algorithm_;
+    few.iterations = 200;
+    NoObserver nobody;
+    const auto none = few.search(room, {.start = {1, 1}, .goal = {9, 9}}, used_, nobody);
+    REQUIRE_FALSE(none);
+    CHECK(none.error().code == PlanError::budget_exhausted);
+    CHECK(none.error().stats.expanded % 200 == 0);
+    CHECK(none.error().detail.find("m of the goal") != std::string::npos);
+  }
+
+  void finds_routes_among_cells() {
+    OccupancyGrid grid = OccupancyGrid::blocked(20, 20).value();
+    for (int y = 0; y < 20; ++y) grid.set_run(y, 0, 19, true);
+    for (int y = 0; y < 16; ++y) grid.set({10, y}, false);
+    NoObserver nobody;
+    for (const double radius : {0.0, 0.7}) {
+      INFO("cells are as good, safety radius " << radius);
+      const auto cells = CellSpace::build(grid, {.safety_radius = radius}).value();
+      const auto route =
+          algorithm_.search(cells, {.start = {3, 3}, .goal = {17, 3}}, used_, nobody);
+      REQUIRE(route);
+      CHECK(certify(cells, route->curve).status == ProofStatus::proved);
+    }
+  }
+
+  void is_exact_on_all_scenes() {
+    for (const Scene& scene : sampling_scenes()) {
+      const auto world = InflatedSpace::build(scene.workspace).value();
+      const ExactChecker judge(scene.workspace);
+      for (std::uint64_t seed = 1; seed <= scaled(10); ++seed) {
+        INFO("routes are exact with any seed: " << scene.name << ", safety radius "
+                                                << scene.workspace.safety_radius << ", seed "
+                                                << seed);
+        const Query task{.start = scene.start, .goal = scene.goals.back(), .seed = seed};
+        const auto route = search(world, task);
+        REQUIRE(route);
+        CHECK(route->curve.start() == task.start);
+        CHECK(route->curve.end() == task.goal);
+        CHECK(judge.check(route->curve) == ExactVerdict::free);
+        check_trees(used_);
+      }
+    }
+  }
+
+  const A& algorithm_;
+  [[maybe_unused]] std::uint64_t golden_;
+  Scene maze_;
+  InflatedSpace space_;
+  Query query_;
+  typename A::Scratch used_;
+};
+
 /// `golden` is the fingerprint of the trees on the maze with seed 7: on every compiler the same,
 /// unless that joins multiplications with additions.
 template <class A>
 void tree_contract(const A& algorithm, std::uint64_t golden) {
-  searcher_contract(algorithm, Completeness::gives_up);
-
-  NoObserver nobody;
-  typename A::Scratch used;
-  const Scene maze = maps::maze();
-  const auto space = InflatedSpace::build(maze.workspace).value();
-  const Query query{.start = maze.start, .goal = maze.goals[0], .seed = 7};
-  check_tree_options(algorithm, space, query);
-
-  // The same seed gives the same tree, also in used memory; another one another.
-  const auto first = algorithm.search(space, query, used, nobody);
-  REQUIRE(first);
-  const std::uint64_t print = fingerprint(used);
-#if !defined(__FMA__) && !defined(__aarch64__)
-  CHECK(print == golden);
-#else
-  static_cast<void>(golden);
-#endif
-  Query other = query;
-  other.seed = 8;
-  const auto second = algorithm.search(space, other, used, nobody);
-  REQUIRE(second);
-  CHECK(fingerprint(used) != print);
-  CHECK_FALSE(same_curve(first->curve, second->curve));
-  REQUIRE(algorithm.search(space, query, used, nobody));
-  CHECK(fingerprint(used) == print);
-
-  // Better paths are told as they are found, and the last one is the best.
-  Improvements observer;
-  const auto watched = algorithm.search(space, query, used, observer);
-  REQUIRE(watched);
-  CHECK(fingerprint(used) == print);
-  CHECK(observer.generated_nodes == watched->stats.generated);
-  REQUIRE(!observer.costs.empty());
-  for (std::size_t i = 1; i < observer.costs.size(); ++i) {
-    CHECK(observer.costs[i] < observer.costs[i - 1]);
-  }
-  CHECK(watched->cost <= observer.costs.back());
-  CHECK(observer.last.start() == query.start);
-  CHECK(observer.last.end() == query.goal);
-
-  // Nothing to search for where start and goal see each other.
-  const auto straight = algorithm.search(
-      space, {.start = maze.start, .goal = maze.start + Point(0.01, 0)}, used, nobody);
-  REQUIRE(straight);
-  CHECK(straight->curve.pieces().size() == 1);
-  CHECK(straight->stats.expanded == 0);
-
-  // A closed room is searched until the iterations are used up.
-  const auto room = InflatedSpace::build({.bounds = {{0, 0}, {10, 10}},
-                                          .safety_radius = 0.1,
-                                          .obstacles = {Polygon{{{5, -1}, {5, 11}}}}})
-                        .value();
-  A few = algorithm;
-  few.iterations = 200;
-  const auto none = few.search(room, {.start = {1, 1}, .goal = {9, 9}}, used, nobody);
-  REQUIRE_FALSE(none);
-  CHECK(none.error().code == PlanError::budget_exhausted);
-  CHECK(none.error().stats.expanded % 200 == 0);
-  CHECK(none.error().detail.find("m of the goal") != std::string::npos);
-
-  // Cells are as good.
-  OccupancyGrid grid = OccupancyGrid::blocked(20, 20).value();
-  for (int y = 0; y < 20; ++y) grid.set_run(y, 0, 19, true);
-  for (int y = 0; y < 16; ++y) grid.set({10, y}, false);
-  for (const double radius : {0.0, 0.7}) {
-    const auto cells = CellSpace::build(grid, {.safety_radius = radius}).value();
-    const auto route = algorithm.search(cells, {.start = {3, 3}, .goal = {17, 3}}, used, nobody);
-    REQUIRE(route);
-    CHECK(certify(cells, route->curve).status == ProofStatus::proved);
-  }
-
-  // Exact on all scenes, with any seed.
-  for (const Scene& scene : sampling_scenes()) {
-    const auto world = InflatedSpace::build(scene.workspace).value();
-    const ExactChecker judge(scene.workspace);
-    for (std::uint64_t seed = 1; seed <= scaled(10); ++seed) {
-      INFO(scene.name << ", safety radius " << scene.workspace.safety_radius << ", seed " << seed);
-      const Query task{.start = scene.start, .goal = scene.goals.back(), .seed = seed};
-      const auto route = algorithm.search(world, task, used, nobody);
-      REQUIRE(route);
-      CHECK(route->curve.start() == task.start);
-      CHECK(route->curve.end() == task.goal);
-      CHECK(judge.check(route->curve) == ExactVerdict::free);
-      check_trees(used);
-    }
-  }
+  // Samples miss a gap as wide as the robot: of 34 routes of A* among cells all trees find 32.
+  searcher_contract(algorithm, {.completeness = Completeness::gives_up, .found = 0.9});
+  TreeTrial<A>(algorithm, golden).run();
 }
 
 }  // namespace tutavia::test
