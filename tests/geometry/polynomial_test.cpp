@@ -98,6 +98,7 @@ TEST_CASE("coefficients that are not finite have no roots") {
 TEST_CASE("random quintics have the roots they were made from", "[geometry]") {
   const std::uint64_t seed = 1;
   Random random(seed);
+  std::size_t quintics = 0, roots = 0;
   for (std::size_t round = 0; round < test::scaled(2000); ++round) {
     INFO("seed " << seed << ", round " << round);
     std::array<double, 5> made;
@@ -109,6 +110,7 @@ TEST_CASE("random quintics have the roots they were made from", "[geometry]") {
       if (i > 0) gap = std::min(gap, made[i] - made[i - 1]);
     }
     if (gap < 0.01) continue;
+    ++quintics;
     auto f = with_roots(made);
     const double factor = std::pow(10, random.uniform(-30, 30));
     for (double& c : f) c *= factor;
@@ -120,7 +122,10 @@ TEST_CASE("random quintics have the roots they were made from", "[geometry]") {
       CHECK(std::abs(found[i++] - root) < 1e-6);
     }
     CHECK(i == found.size());
+    roots += i;
   }
+  CHECK(quintics > test::scaled(2000) / 2);
+  CHECK(roots > quintics);
 }
 
 TEST_CASE("between the roots found the sign never changes", "[geometry]") {

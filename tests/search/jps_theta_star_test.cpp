@@ -77,14 +77,18 @@ TEST_CASE("with weights of at most 1 JPS_Theta* finds shortest grid paths before
   AStar::Scratch grid_scratch;
   NoObserver nobody;
   const JpsThetaStar exact{.far_weight = 1, .near_weight = 0.5, .lines_of_sight = SightUse::never};
+  std::size_t found = 0;
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
     const auto space = CellSpace::build(test::random_grid(random, 40)).value();
     const Query query = test::random_query(random, space);
     const auto shortest = AStar{}.search(space, query, grid_scratch, nobody);
     const auto route = exact.search(space, query, scratch, nobody);
     REQUIRE(route.has_value() == shortest.has_value());
-    if (route) CHECK(route->cost == Approx(shortest->cost).epsilon(1e-8));
+    if (!route) continue;
+    ++found;
+    CHECK(route->cost == Approx(shortest->cost).epsilon(1e-8));
   }
+  CHECK(found > test::scaled(100) / 3);
 }
 
 TEST_CASE("the map of the JPS_Theta* paper") {

@@ -45,8 +45,10 @@ int jump(const JumpTable& table, Cell cell) {
   return table.jump<Step>(cell);
 }
 
-/// How many jumps of every `stride`th cell of every `stride`th row the table has wrong.
-std::size_t count_wrong(const OccupancyGrid& grid, const JumpTable& table, int stride = 1) {
+/// How many jumps of every `stride`th cell of every `stride`th row the table has wrong; `compared`
+/// grows by those that were looked at.
+std::size_t count_wrong(const OccupancyGrid& grid, const JumpTable& table, std::size_t& compared,
+                        int stride = 1) {
   std::size_t wrong = 0;
   for (int y = 0; y < grid.height(); y += stride) {
     for (int x = 0; x < grid.width(); x += stride) {
@@ -59,6 +61,7 @@ std::size_t count_wrong(const OccupancyGrid& grid, const JumpTable& table, int s
         const int expected =
             is_diagonal(step) ? walk_diagonally(grid, cell, step) : walk_straight(grid, cell, step);
         if (found[step] != expected) ++wrong;
+        ++compared;
       }
     }
   }
@@ -69,16 +72,18 @@ std::size_t count_wrong(const OccupancyGrid& grid, const JumpTable& table, int s
 
 TEST_CASE("a jump table holds what walking cell by cell finds, by any number of threads") {
   const std::size_t rounds = test::scaled(60);
+  std::size_t compared = 0;
   for (std::uint64_t seed = 8100; seed < 8100 + rounds; ++seed) {
     CAPTURE(seed);
     Random random(seed);
     const OccupancyGrid grid = test::random_grid(random, 40);
     const JumpTable table = JumpTable::build(grid);
-    REQUIRE(count_wrong(grid, table) == 0);
+    REQUIRE(count_wrong(grid, table, compared) == 0);
     for (const unsigned threads : {2u, 7u}) {
       REQUIRE(JumpTable::build(grid, threads).to_bytes() == table.to_bytes());
     }
   }
+  CHECK(compared > 1000 * rounds);
 }
 
 TEST_CASE("jumps longer than a byte holds are found in legs") {
@@ -94,7 +99,9 @@ TEST_CASE("jumps longer than a byte holds are found in legs") {
       for (int y = 1; y < length + 3; ++y) grid.set_run(y, 0, length + 3, false);
       grid.set({length, 1}, true);
     }
-    REQUIRE(count_wrong(grid, JumpTable::build(grid), 19) == 0);
+    std::size_t compared = 0;
+    REQUIRE(count_wrong(grid, JumpTable::build(grid), compared, 19) == 0);
+    CHECK(compared > 50);
   }
 }
 

@@ -215,6 +215,8 @@ TEST_CASE("paths of continuous curvature through random worlds are proved", "[so
       paths, continuous, sum / double(paths), longest, crossed, unknown, gentle, refused);
   CHECK(unknown == 0);
   CHECK(continuous > paths / 2);
+  CHECK(gentle > paths / 2);
+  CHECK(paths > test::scaled(150) / 3);
 }
 
 TEST_CASE("the clothoid smoother says what it cannot use") {

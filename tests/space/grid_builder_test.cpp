@@ -15,6 +15,7 @@ using namespace tutavia;
 TEST_CASE("deciding nodes in blocks gives what deciding them one by one gives") {
   const std::uint64_t seed = 4;
   test::WorldGenerator worlds(seed);
+  std::size_t nodes = 0, free_nodes = 0, ties = 0;
   for (std::size_t round = 0; round < test::scaled(60); ++round) {
     INFO("seed " << seed << ", round " << round);
     const Workspace world = worlds.workspace();
@@ -26,12 +27,21 @@ TEST_CASE("deciding nodes in blocks gives what deciding them one by one gives") 
     for (int y = 0; y < sampled.grid.height(); ++y) {
       for (int x = 0; x < sampled.grid.width(); ++x) {
         const double clearance = space.clearance(sampled.frame.point({x, y}));
-        if (std::abs(clearance - threshold) < 1e-8 * delta + 4 * space.slack()) continue;
-        if (sampled.grid.is_free({x, y}) != (clearance > threshold)) ++wrong;
+        ++nodes;
+        if (std::abs(clearance - threshold) < 1e-8 * delta + 4 * space.slack()) {
+          ++ties;
+          continue;
+        }
+        const bool expected = clearance > threshold;
+        free_nodes += expected ? 1 : 0;
+        if (sampled.grid.is_free({x, y}) != expected) ++wrong;
       }
     }
     CHECK(wrong == 0);
   }
+  CHECK(ties * 100 < nodes);
+  CHECK(free_nodes * 4 > nodes);
+  CHECK(free_nodes * 4 < 3 * nodes);
 }
 
 TEST_CASE("any 1-Lipschitz clearance function can be sampled") {

@@ -50,7 +50,7 @@ TEST_CASE("where nothing is free there is no nearest free point") {
 TEST_CASE("no sampled free point is nearer than the one returned") {
   const std::uint64_t seed = 9;
   test::WorldGenerator worlds(seed);
-  std::size_t blocked = 0;
+  std::size_t blocked = 0, found = 0;
   for (std::size_t round = 0; round < test::scaled(150); ++round) {
     INFO("seed " << seed << ", round " << round);
     const Workspace world = worlds.workspace();
@@ -65,6 +65,7 @@ TEST_CASE("no sampled free point is nearer than the one returned") {
       if (space.is_free(q)) nearest = std::min(nearest, (q - p).norm());
     }
     if (out) {
+      ++found;
       CHECK(space.is_free(*out));
       CHECK((*out - p).norm() <= nearest + 1e-9 * (1 + space.magnitude()));
     } else {
@@ -72,6 +73,7 @@ TEST_CASE("no sampled free point is nearer than the one returned") {
     }
   }
   CHECK(blocked > 20);
+  CHECK(found > blocked / 2);
 }
 
 }  // namespace
