@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <iterator>
 #include <limits>
 #include <numbers>
@@ -128,10 +127,9 @@ TEST_CASE("the limits hold everywhere on curves of all kinds; smooth curves are 
       check_limits(*profile, limits, random);
     }
   }
-  std::printf(
-      "%zu profiles; routes with stops %.1f s, taut strings %.1f s, paths of continuous curvature "
-      "%.1f s, B-splines %.1f s\n",
-      profiles, stopping, tangent, continuous, spline);
+  INFO(profiles << " profiles; routes with stops " << stopping << " s, taut strings " << tangent
+                << " s, paths of continuous curvature " << continuous << " s, B-splines " << spline
+                << " s");
   CHECK(profiles > test::scaled(60));
   CHECK(tangent < stopping);
   CHECK(spline < stopping);
@@ -270,10 +268,7 @@ TEST_CASE("profiles of curves of every kind keep all limits at any time, with an
       profiles += rolling ? 3 : 2;
     }
   }
-  std::printf("%zu profiles, %zu refused for their start speed; time with jerk to that without:",
-              profiles, refused);
-  for (std::size_t k = 0; k < without.size(); ++k) std::printf(" %.3f", with_jerk[k] / without[k]);
-  std::puts("");
+  CAPTURE(profiles, refused, with_jerk, without);  // durations of each kind of curve
   CHECK(profiles > test::scaled(60));
   CHECK(refused < profiles / 4);
 }

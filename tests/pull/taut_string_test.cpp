@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <numbers>
 #include <vector>
 
@@ -121,8 +120,7 @@ TEST_CASE("strings of random worlds are smooth, shorter, and pass all obstacles 
     CHECK(TautString{}.smooth(space, cut, {}).value().length() ==
           Approx(string.length()).epsilon(1e-9));
   }
-  std::printf("%zu strings, %zu with a corner; %zu shortcuts of the same class, %zu of another\n",
-              strings, corners, same_class, other_way);
+  CAPTURE(strings, corners, same_class, other_way);
   CHECK(strings > test::scaled(50));
   CHECK(corners * 50 <= strings);
   CHECK(same_class > strings / 2);
@@ -281,7 +279,7 @@ TEST_CASE("routes that no search makes keep their class: loops, long legs, latti
     CHECK(same_class(space, string, input));
     if (test::largest_corner(string) > 1e-6) ++corners;
   }
-  std::printf("%zu strings of random routes, %zu with a corner\n", strings, corners);
+  CAPTURE(strings, corners);
   CHECK(strings > test::scaled(250));
   CHECK(corners * 50 <= strings);
 }

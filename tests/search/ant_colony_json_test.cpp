@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 
 #include "support/free_route.hpp"
@@ -96,9 +95,8 @@ TEST_CASE("ants learn: more rounds give shorter paths on the grids of the SSA-A*
       many += late->cost;
       shortest += optimum->cost;
     }
-    std::printf(
-        "ants on %s: paths on %zu of %zu grids, %.1f %% longer after 2 rounds, %.1f %% after 50\n",
-        kind.c_str(), found, grids, 100 * (few / shortest - 1), 100 * (many / shortest - 1));
+    INFO(kind << ": paths on " << found << " of " << grids << " grids, " << few / shortest
+              << " times the shortest after 2 rounds, " << many / shortest << " after 50");
     CHECK(found > grids / 2);
     CHECK(many < few);
   }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -63,10 +63,10 @@ TEST_CASE("JPS_Theta* keeps its bound and gains by lines of sight on random grid
     after += pruned->cost;
     during += looked->cost;
   }
-  std::printf(
-      "JPS_Theta*: %zu paths, longest %.3f times the shortest on the grid; lines of sight "
-      "after the search take off %.2f %%, during it %.2f %%\n",
-      found, worst, 100 * (1 - after / jumps), 100 * (1 - during / jumps));
+  INFO(found << " paths, the longest " << worst
+             << " times the shortest on the grid; lines of sight after the search take off "
+             << 100 * (1 - after / jumps) << " %, during it " << 100 * (1 - during / jumps)
+             << " %");
   CHECK(found > test::scaled(300) / 3);
   CHECK(after < jumps);
 }
@@ -124,14 +124,15 @@ TEST_CASE("the map of the JPS_Theta* paper") {
   const auto looked = JpsThetaStar{.lines_of_sight = SightUse::in_search}
                           .search(space, query, scratch, nobody)
                           .value();
-  for (const auto& [name, route] : {std::pair{"A*", &astar},
-                                    {"JPS, weighted", &never},
-                                    {"JPS_Theta*", &pruned},
-                                    {"JPS_Theta*, in search", &looked}}) {
-    const PathMetrics m = measure(route->curve);
-    std::printf("%-22s %8.4f %3zu turns %5llu expanded\n", name, m.length, m.turning_points,
-                static_cast<unsigned long long>(route->stats.expanded));
-  }
+  const auto text = [](const Route& route) {
+    return std::to_string(route.curve.length()) + " m, " +
+           std::to_string(measure(route.curve).turning_points) + " turns, " +
+           std::to_string(route.stats.expanded) + " expanded";
+  };
+  INFO("A*: " << text(astar));
+  INFO("JPS, weighted: " << text(never));
+  INFO("JPS_Theta*: " << text(pruned));
+  INFO("JPS_Theta*, in search: " << text(looked));
   CHECK(pruned.cost < never.cost);
   CHECK(pruned.cost < astar.cost);
 }

@@ -2,7 +2,6 @@
 #include "tutavia/search/rea_star.hpp"
 
 #include <cstdint>
-#include <cstdio>
 
 #include "support/free_route.hpp"
 #include "support/random_grids.hpp"
@@ -49,8 +48,8 @@ TEST_CASE("REA* finds a path where there is one, no longer than the shortest on 
     of_dijkstra += shortest->stats.expanded;
     if (shortest->cost > 0) shorter += 1 - route->curve.length() / shortest->cost;
   }
-  std::printf("REA*: %zu paths, %zu rectangles for %zu expansions of Dijkstra's, %.2f %% shorter\n",
-              found, expanded, of_dijkstra, 100 * shorter / double(found));
+  INFO(found << " paths, " << expanded << " rectangles for " << of_dijkstra
+             << " expansions of Dijkstra's, " << 100 * shorter / double(found) << " % shorter");
   CHECK(found > test::scaled(100));
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
-#include <cstdio>
 #include <iterator>
 #include <limits>
 
@@ -49,7 +48,7 @@ TEST_CASE("SSA-A* keeps its bound on random grids and finds a path where there i
     CHECK(route->cost >= shortest->cost * (1 - 1e-8));
     if (shortest->cost > 0) worst = std::max(worst, route->cost / shortest->cost);
   }
-  std::printf("SSA-A*: %zu paths, longest %.3f times the shortest\n", found, worst);
+  INFO(found << " paths, the longest " << worst << " times the shortest");
   CHECK(found > test::scaled(100));
 }
 
@@ -94,11 +93,10 @@ TEST_CASE("weights tuned on some grids save expansions on others of their kind")
       length += route->cost;
       shortest += octile->cost;
     }
-    std::printf(
-        "SSA-A*, %s grids: weights (%.3f, %.3f, %.3f), expansions %.1f %% of A* with the Euclidean "
-        "heuristic, %.1f %% of octile A*; length + %.2f %%\n",
-        kind.c_str(), w.chebyshev, w.euclidean, w.density, 100 * expanded / of_euclidean,
-        100 * expanded / of_octile, 100 * (length / shortest - 1));
+    INFO(kind << " grids: weights (" << w.chebyshev << ", " << w.euclidean << ", " << w.density
+              << "), expansions " << expanded / of_euclidean
+              << " times those of A* with the Euclidean heuristic, " << expanded / of_octile
+              << " times those of octile A*; length " << length / shortest);
     CHECK(expanded < 0.36 * of_euclidean);
     CHECK(length < 1.025 * shortest);
     CHECK(std::is_sorted(tuned->training.rbegin(), tuned->training.rend()));

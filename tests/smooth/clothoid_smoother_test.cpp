@@ -2,7 +2,6 @@
 #include "tutavia/smooth/clothoid_smoother.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "support/exact_checker.hpp"
 #include "support/homotopy.hpp"
@@ -207,12 +206,11 @@ TEST_CASE("paths of continuous curvature through random worlds are proved", "[so
       CHECK(wide.error().code == PlanError::not_proved);
     }
   }
-  std::printf(
-      "%zu paths, %zu of continuous curvature, length over the string's %.5f on average and %.5f "
-      "at "
-      "most, %zu of another class, %zu undecided by the exact checker; turning radius kept by %zu, "
-      "refused by %zu\n",
-      paths, continuous, sum / double(paths), longest, crossed, unknown, gentle, refused);
+  INFO(paths << " paths, " << continuous << " of continuous curvature, length over the string's "
+             << sum / double(paths) << " on average and " << longest << " at most, " << crossed
+             << " of another class, " << unknown
+             << " undecided by the exact checker; turning radius kept by " << gentle
+             << ", refused by " << refused);
   CHECK(unknown == 0);
   CHECK(continuous > paths / 2);
   CHECK(gentle > paths / 2);
