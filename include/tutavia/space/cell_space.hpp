@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <memory>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -140,7 +140,7 @@ class CellSpace {
   static SlantedStrip strip(const Segment& s) { return {s}; }
   static Strip strip(const Arc& arc) { return {arc.box()}; }
 
-  CellSpace(OccupancyGrid grid, std::optional<OccupancyGrid> cells, const Point& origin,
+  CellSpace(OccupancyGrid grid, std::shared_ptr<const OccupancyGrid> cells, const Point& origin,
             const Frame& frame, const CellOptions& options)
       : layer_(std::move(grid), frame, options.movement),
         cells_(std::move(cells)),
@@ -173,7 +173,7 @@ class CellSpace {
   bool runs_inside(const Box& box) const;
 
   GridLayer layer_;
-  std::optional<OccupancyGrid> cells_;  // where the grid is not these
+  std::shared_ptr<const OccupancyGrid> cells_;  // where the grid is not these; shared by copies
   Point corner_;
   Box bounds_;
   double safety_radius_;
@@ -210,7 +210,7 @@ inline Expected<CellSpace, Failure> CellSpace::build(OccupancyGrid cells,
   // Rounded up, so that a corridor of so many cells is never narrower than it was meant to be.
   const double side = std::ceil(size / (2 * quantum)) * 2 * quantum;
   const Frame frame{{origin.x() + side / 2, origin.y() + side / 2}, side};
-  if (r == 0) return CellSpace(std::move(cells), std::nullopt, origin, frame, options);
+  if (r == 0) return CellSpace(std::move(cells), nullptr, origin, frame, options);
 
   // Squared distances between centres and squares are integers in units of half a cell.
   const auto squared = [](const ExactNumber& x) { return x * x; };
@@ -228,7 +228,8 @@ inline Expected<CellSpace, Failure> CellSpace::build(OccupancyGrid cells,
   const bool cuts_corners =
       options.movement == MovementRule::no_squeeze || options.movement == MovementRule::allow;
   OccupancyGrid grid = dilated(cells, least + (cuts_corners ? 2 : 0));
-  return CellSpace(std::move(grid), std::move(cells), origin, frame, options);
+  return CellSpace(std::move(grid), std::make_shared<const OccupancyGrid>(std::move(cells)), origin,
+                   frame, options);
 }
 
 template <bool Boundary, class Visit>
