@@ -19,7 +19,7 @@ namespace tutavia {
 
 /// Why there is no plan.
 enum class PlanError {
-  start_blocked,              ///< the start lies in an obstacle's safety zone
+  start_blocked,              ///< the start lies in a safety zone or has no free link to the grid
   goal_blocked,               ///< the goal does
   start_out_of_bounds,        ///< the start lies outside the workspace
   goal_out_of_bounds,         ///< the goal does
