@@ -211,7 +211,7 @@ TEST_CASE("profiles of curves of every kind keep all limits at any time, with an
   Random& random = worlds.random();
   std::size_t profiles = 0, refused = 0;
   std::vector<double> with_jerk(6, 0.0), without(6, 0.0);
-  for (std::size_t round = 0; round < test::scaled(12); ++round) {
+  for (std::size_t round = 0; round < test::scaled(20); ++round) {
     INFO("seed " << seed << ", round " << round);
     const auto task = test::random_task(worlds);
     if (!task) continue;

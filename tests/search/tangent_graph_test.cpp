@@ -146,7 +146,7 @@ TEST_CASE("the tangent graph's paths are those of trying everything", "[soak]") 
   const std::uint64_t seed = 500;
   test::WorldGenerator worlds(seed);
   std::size_t paths = 0, none = 0, bent = 0;
-  for (std::size_t round = 0; round < test::scaled(100); ++round) {
+  for (std::size_t round = 0; round < test::scaled(150); ++round) {
     INFO("seed " << seed << ", round " << round);
     const Workspace world = worlds.workspace();
     const Point start = worlds.point(world), goal = worlds.point(world);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tutavia/geometry/segment.hpp"
+#include "tutavia/space/concepts.hpp"
 #include "tutavia/space/corner.hpp"
 
 /// \file
