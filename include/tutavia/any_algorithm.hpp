@@ -75,13 +75,13 @@ namespace detail {
 /// An observer that may be there or not; one for both, so that every search is compiled once.
 struct OptionalRecord {
   SearchRecord* record;
-  void expanded(const Point& p) {
+  void expanded(const Point& p) const {
     if (record != nullptr) record->expanded(p);
   }
-  void generated(const Point& p) {
+  void generated(const Point& p) const {
     if (record != nullptr) record->generated(p);
   }
-  void grown(const Segment& interval, const Box& rectangle) {
+  void grown(const Segment& interval, const Box& rectangle) const {
     if (record != nullptr) record->grown(interval, rectangle);
   }
 };

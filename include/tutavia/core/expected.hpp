@@ -40,7 +40,7 @@ class Expected {
   using value_type = T;
   using error_type = E;
 
-  Expected(T value) : value_(std::move(value)), has_value_(true) {}  // NOLINT: implicit
+  Expected(T value) : value_(std::move(value)) {}  // NOLINT: implicit
   template <class G>
   Expected(Unexpected<G> unexpected)  // NOLINT: implicit
       : error_(std::move(unexpected.error)), has_value_(false) {}
@@ -112,7 +112,7 @@ class Expected {
     T value_;
     E error_;
   };
-  bool has_value_;
+  bool has_value_ = true;
 };
 
 /// Stands for the value of an Expected<void, E>.

@@ -11,9 +11,7 @@
 /// \file
 /// The place of a curved piece that is nearest to a point.
 
-namespace tutavia {
-
-namespace detail {
+namespace tutavia::detail {
 
 /// Branch and bound for the place of a piece P that is nearest to the origin. A part with the chord
 /// S and the deviation dev from it is no nearer than the distance to S less dev, and halving
@@ -82,6 +80,4 @@ class NearestPlace {
   int fine_parts_ = 0;
 };
 
-}  // namespace detail
-
-}  // namespace tutavia
+}  // namespace tutavia::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -62,9 +63,9 @@ inline bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfi
 
 /// "(1.5, -2)": to six significant digits.
 inline std::string to_text(const Point& p) {
-  char text[64];
-  const int length = std::snprintf(text, sizeof text, "(%g, %g)", p.x(), p.y());
-  return {text, static_cast<std::size_t>(length)};
+  std::array<char, 64> text{};
+  const int length = std::snprintf(text.data(), text.size(), "(%g, %g)", p.x(), p.y());
+  return {text.data(), static_cast<std::size_t>(length)};
 }
 
 /// The larger of the two coordinates' magnitudes.

@@ -23,9 +23,7 @@
 /// \file
 /// How a string is pulled taut.
 
-namespace tutavia {
-
-namespace detail {
+namespace tutavia::detail {
 
 /// A string along a polyline that is pulled tight bend by bend and stays proved throughout.
 ///
@@ -403,6 +401,4 @@ class PulledString {
   std::vector<double> turns_;
 };
 
-}  // namespace detail
-
-}  // namespace tutavia
+}  // namespace tutavia::detail

@@ -29,7 +29,7 @@ struct Shortcut {
   /// Errors: `invalid_input` for a curve that is not free, what the budget says.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
-    const auto curve = free_steps(space, input, budget);
+    auto curve = free_steps(space, input, budget);
     if (!curve) return curve;
     const std::vector<Point> points = joints(*curve);
     Curve result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -31,16 +32,13 @@ class ChangedZones {
   bool are_near(const Point& a, const Point& b, double radius) const {
     const double dx = b.x() - a.x(), dy = b.y() - a.y();
     const double width = std::abs(dx), height = std::abs(dy);
-    for (const Zone& zone : zones_) {
+    return std::any_of(zones_.begin(), zones_.end(), [&](const Zone& zone) {
       const double x = a.x() - zone.center.x(), y = a.y() - zone.center.y();
       const double half_width = zone.half.x() + radius, half_height = zone.half.y() + radius;
-      if (std::abs(2 * x + dx) <= 2 * half_width + width &&
-          std::abs(2 * y + dy) <= 2 * half_height + height &&
-          std::abs(dx * y - dy * x) <= half_width * height + half_height * width) {
-        return true;
-      }
-    }
-    return false;
+      return std::abs(2 * x + dx) <= 2 * half_width + width &&
+             std::abs(2 * y + dy) <= 2 * half_height + height &&
+             std::abs(dx * y - dy * x) <= half_width * height + half_height * width;
+    });
   }
 
  private:

@@ -83,12 +83,12 @@ Point sample_in(const Ellipse& ellipse, TreeGrowth<S, O>& growth) {
   const Box& bounds = growth.bounds();
   if (ellipse.area() < bounds.width() * bounds.height()) {
     while (true) {
-      const Point p = ellipse.sample(growth.random());
+      Point p = ellipse.sample(growth.random());
       if (bounds.contains(p)) return p;
     }
   }
   while (true) {
-    const Point p = growth.sample();
+    Point p = growth.sample();
     if (ellipse.contains(p)) return p;
   }
 }

@@ -201,6 +201,7 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
                                                " allowed");
   }
   std::vector<Vertex> vertices;
+  vertices.reserve(walls.size());
   for (const Wall& wall : walls) vertices.push_back({morton(wall.from), wall.from, 0});
   const auto by_key = [](const Vertex& a, const Vertex& b) { return a.key < b.key; };
   std::sort(vertices.begin(), vertices.end(), by_key);
@@ -223,7 +224,7 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
     previous[e] = ConstrainedDelaunay::previous(e);
     const Cell sum = triangles.from(e) + triangles.from(next[e]) + triangles.from(previous[e]);
     const Cell cell{(sum.x + 3) / 3 - 1, (sum.y + 3) / 3 - 1};
-    inside[e] = grid.contains(cell) && grid.is_free(cell);
+    inside[e] = grid.contains(cell) && grid.is_free(cell) ? 1 : 0;
   }
   for (Index e = 0; e < count; ++e) {
     const Index t = triangles.twin(e);

@@ -43,7 +43,7 @@ class OctileReach {
   /// Reaches the cells of a side of the rectangle, or of any other line in it.
   void reach(const CellInterval& side) {
     first_ = side.first;
-    reached_.assign(static_cast<std::size_t>(side.last - side.first + 1),
+    reached_.assign(static_cast<std::size_t>(side.last - side.first) + 1,
                     std::numeric_limits<Cost>::max());
     for (const int hand : {1, -1}) {
       if (side.axis == from_.axis) {

@@ -90,6 +90,7 @@ Route pruned(const S& space, const std::vector<Point>& path, const Price& edge_c
   };
   const auto cost = [&](const Point& p, const Point& q) { return edge_cost(p, q, distance(p, q)); };
   std::vector<Node> nodes;
+  nodes.reserve(path.size());
   for (const Point& p : path) {
     nodes.push_back({p, nodes.empty() ? 0 : nodes.back().cost + cost(nodes.back().place, p)});
   }

@@ -59,8 +59,8 @@ class SearchTree {
     link(node, parent);
     links_[node].edge_cost = edge_cost;
     links_[node].cost = cost(parent) + edge_cost;
-    for (Node next = after(node, node); next != none; next = after(next, node)) {
-      links_[next].cost = cost(links_[next].parent) + links_[next].edge_cost;
+    for (Node below = after(node, node); below != none; below = after(below, node)) {
+      links_[below].cost = cost(links_[below].parent) + links_[below].edge_cost;
     }
   }
 
@@ -102,10 +102,10 @@ class SearchTree {
   }
 
   /// The descendant of `top` that comes after a node, parents before their children.
-  Node after(Node node, Node top) const {
-    if (links_[node].child != none) return links_[node].child;
-    while (node != top && links_[node].next == none) node = links_[node].parent;
-    return node == top ? none : links_[node].next;
+  Node after(Node current, Node top) const {
+    if (links_[current].child != none) return links_[current].child;
+    while (current != top && links_[current].next == none) current = links_[current].parent;
+    return current == top ? none : links_[current].next;
   }
 
   PointIndex points_;

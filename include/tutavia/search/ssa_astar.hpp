@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -142,10 +143,10 @@ Expected<TunedWeights, Failure> tune_ssa(std::span<const S> spaces, std::span<co
     }
     return sum / static_cast<double>(spaces.size());
   };
-  const double lower[] = {training.lower.chebyshev, training.lower.euclidean,
-                          training.lower.density};
-  const double upper[] = {training.upper.chebyshev, training.upper.euclidean,
-                          training.upper.density};
+  const std::array lower{training.lower.chebyshev, training.lower.euclidean,
+                         training.lower.density};
+  const std::array upper{training.upper.chebyshev, training.upper.euclidean,
+                         training.upper.density};
   auto found = training.swarm.minimise(fitness, lower, upper);
   if (!found) return Unexpected{std::move(found.error())};
   const auto& best = found->best;

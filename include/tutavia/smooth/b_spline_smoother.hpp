@@ -48,7 +48,7 @@ struct BSplineSmoother {
       if (!nodes) return Unexpected{nodes.error()};
       return spline(space, *nodes, budget);
     }
-    const auto pruned = RedundantNodeRemoval{}.smooth(space, input, budget);
+    auto pruned = RedundantNodeRemoval{}.smooth(space, input, budget);
     if (!pruned) return pruned;
     return spline(space, joints(*pruned), budget);
   }

@@ -59,12 +59,12 @@ class Pipeline {
     (append(Stages::name), ...);
     return text;
   }
-  static constexpr auto characters_ = joined_names();
+  static constexpr auto joined = joined_names();
 
   std::tuple<Stages...> stages_;
 
  public:
-  static constexpr std::string_view name{characters_.data(), characters_.size()};
+  static constexpr std::string_view name{joined.data(), joined.size()};
 };
 
 }  // namespace tutavia

@@ -142,7 +142,7 @@ class SplineSections {
         return;
       }
     }
-    result_.push_back(segment);
+    result_.emplace_back(segment);
   }
 
   static double length(std::span<const Point> section) {

@@ -20,9 +20,7 @@
 /// \file
 /// How the bends of a taut string become spirals.
 
-namespace tutavia {
-
-namespace detail {
+namespace tutavia::detail {
 
 /// A taut string whose circles are made larger by a margin each, so that there is room for spirals
 /// between the straight ways and the old circles.
@@ -343,6 +341,4 @@ class SpiralString {
   std::vector<std::size_t> blocked_bends_, blocked_ways_;
 };
 
-}  // namespace detail
-
-}  // namespace tutavia
+}  // namespace tutavia::detail

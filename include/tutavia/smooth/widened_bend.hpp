@@ -13,9 +13,7 @@
 /// \file
 /// Spirals in the place of one bend of a string.
 
-namespace tutavia {
-
-namespace detail {
+namespace tutavia::detail {
 
 /// What takes a bend's place.
 struct BendShape {
@@ -145,6 +143,4 @@ void WidenedBend::for_each_piece(const BendShape& shape, const BendEnd& in, cons
   visit(after);
 }
 
-}  // namespace detail
-
-}  // namespace tutavia
+}  // namespace tutavia::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -39,7 +40,8 @@ class CellCorners {
   StepSet successors(std::size_t index) const {
     static constexpr SuccessorTable all = successor_table(MovementRule::allow);
     const CornerCells around(cells_->grid(), grid().cell(index));
-    const bool sides[4]{around.se, around.ne, around.nw, around.sw};  // before each straight step
+    const std::array sides{around.se, around.ne, around.nw,
+                           around.sw};  // before each straight step
     unsigned free = 0;
     for (unsigned i = 0; i < 4; ++i) {
       const bool here = sides[i], next = sides[(i + 1) % 4];
@@ -99,7 +101,7 @@ class CellCorners {
     const int last = static_cast<int>(std::floor(std::fmax(u, end)));
     for (int i = static_cast<int>(std::ceil(std::fmin(u, end))); i <= last; ++i) {
       const double across = v + (i - u) * slope;
-      const int j = static_cast<int>(across + 0.5);
+      const int j = static_cast<int>(std::floor(across + 0.5));
       if (std::abs(across - j) > near) continue;
       const Cell corner = steep ? Cell{j, i} : Cell{i, j};
       if (grid().is_free(corner)) continue;

@@ -60,6 +60,7 @@ inline std::vector<Box> changed_boxes(const Workspace& before, const Workspace& 
   std::set_symmetric_difference(old.begin(), old.end(), now.begin(), now.end(),
                                 std::back_inserter(changed), is_less);
   std::vector<Box> boxes;
+  boxes.reserve(changed.size());
   for (const Entry& entry : changed) boxes.push_back(entry.second);
   return boxes;
 }
