@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/core/compiler.hpp"
 #include "tutavia/geometry/box.hpp"
 
 /// \file
@@ -21,14 +22,14 @@ namespace tutavia {
 /// An immutable, packed R-tree over numbered boxes: a query costs O(log n + k) for n boxes and k
 /// answers, building O(n log n).
 ///
-/// Boxes are split into halves along the longer side of their centres' extent until eight are left
-/// (top-down bulk loading, Lee and Lee 2003, "OMT"). Parts are whole powers of eight, so every node
-/// but the last of a level is full and a child's place follows from its parent's: there are no
-/// pointers.
+/// Boxes are split into halves along the longer side of their centres' extent until sixteen are
+/// left (top-down bulk loading, Lee and Lee 2003, "OMT"). Parts are whole powers of sixteen, so
+/// every node but the last of a level is full and a child's place follows from its parent's: there
+/// are no pointers.
 ///
-/// A node holds the boxes of its eight children in single precision, relative to the extent of all
-/// boxes. That rounding is monotone, so boxes that meet still do, and a few that do not may seem
-/// to: answers are candidates.
+/// A node holds the boxes of its sixteen children in single precision, relative to the extent of
+/// all boxes. That rounding is monotone, so boxes that meet still do, and a few that do not may
+/// seem to: answers are candidates.
 class BoxTree {
  public:
   using Entry = std::pair<Box, std::uint32_t>;
@@ -86,14 +87,14 @@ class BoxTree {
   }
 
  private:
-  static constexpr std::uint32_t fan_out = 8;
-  static constexpr std::size_t max_levels = 11;  // 8^11 > 2^32
+  static constexpr std::uint32_t fan_out = 16;
+  static constexpr std::size_t max_levels = 8;  // 16^8 = 2^32
 
   struct RoundedBox {
     float min_x, min_y, max_x, max_y;
   };
 
-  /// Eight boxes, side by side for comparisons four at a time (vectors of g++ and clang).
+  /// Sixteen boxes, side by side for comparisons four at a time (vectors of g++ and clang).
   class Node {
    public:
     void set(std::size_t k, const RoundedBox& box) {
@@ -101,29 +102,35 @@ class BoxTree {
       max_x_[k / 4][k % 4] = box.max_x, max_y_[k / 4][k % 4] = box.max_y;
     }
     /// Which of the boxes meet a box, one bit each.
-    std::uint32_t meets(const RoundedBox& box) const {
-      const Masks bits =
-          (meets(0, box) & Masks{1, 2, 4, 8}) | (meets(1, box) & Masks{16, 32, 64, 128});
-      return static_cast<std::uint32_t>(bits[0] | bits[1] | bits[2] | bits[3]);
+    TUTAVIA_ALWAYS_INLINE std::uint32_t meets(const RoundedBox& box) const {
+      Masks bits = meets(0, box) & Masks{1, 2, 4, 8};
+      bits |= meets(1, box) & (Masks{1, 2, 4, 8} << 4);
+      bits |= meets(2, box) & (Masks{1, 2, 4, 8} << 8);
+      bits |= meets(3, box) & (Masks{1, 2, 4, 8} << 12);
+      bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
+      return static_cast<std::uint32_t>(bits[0] | bits[1]);
     }
 
    private:
     using Floats = float __attribute__((vector_size(16)));
     using Masks = std::int32_t __attribute__((vector_size(16)));  // all bits or none
 
-    Masks meets(std::size_t half, const RoundedBox& box) const {
-      return (min_x_[half] <= box.max_x) & (max_x_[half] >= box.min_x) &
-             (min_y_[half] <= box.max_y) & (max_y_[half] >= box.min_y);
+    Masks meets(std::size_t four, const RoundedBox& box) const {
+      return (min_x_[four] <= box.max_x) & (max_x_[four] >= box.min_x) &
+             (min_y_[four] <= box.max_y) & (max_y_[four] >= box.min_y);
     }
 
     // Empty boxes, which meet nothing.
-    static constexpr float none = std::numeric_limits<float>::infinity();
-    static constexpr Floats nowhere{none, none, none, none};
-    std::array<Floats, 2> min_x_{nowhere, nowhere}, min_y_{nowhere, nowhere};
-    std::array<Floats, 2> max_x_{-nowhere, -nowhere}, max_y_{-nowhere, -nowhere};
+    static constexpr std::array<Floats, 4> filled_with(float x) {
+      const Floats four{x, x, x, x};
+      return {four, four, four, four};
+    }
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+    std::array<Floats, 4> min_x_ = filled_with(infinity), min_y_ = filled_with(infinity);
+    std::array<Floats, 4> max_x_ = filled_with(-infinity), max_y_ = filled_with(-infinity);
   };
 
-  RoundedBox rounded(const Box& box) const {
+  TUTAVIA_ALWAYS_INLINE RoundedBox rounded(const Box& box) const {
     const auto relative = [this](const Point& p, int axis) {
       const double x = (p[axis] - origin_[axis]) * scale_;  // boxes of the tree: in [-1, 1]
       return static_cast<float>(x < -2 ? -2 : x > 2 ? 2 : x);
@@ -131,7 +138,7 @@ class BoxTree {
     return {relative(box.min, 0), relative(box.min, 1), relative(box.max, 0), relative(box.max, 1)};
   }
 
-  /// Orders entries so that every run of a power of eight, counted from the first, lies together.
+  /// Orders entries so that every run of a power of sixteen, counted from the first, lies together.
   static void sort(std::vector<Entry>& entries, std::size_t first, std::size_t last) {
     const std::size_t count = last - first;
     const auto at = [&](std::size_t i) { return entries.begin() + static_cast<std::ptrdiff_t>(i); };
