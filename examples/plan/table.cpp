@@ -13,6 +13,7 @@
 #include <string_view>
 #include <variant>
 
+#include "tutavia/geometry/point.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/motion/speed_profile.hpp"
 #include "tutavia/world/workspace_report.hpp"
@@ -25,11 +26,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-std::string to_text(const Point& p) {
-  std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "(%g, %g)", p.x(), p.y());
-  return buffer.data();
-}
+using tutavia::to_text;
 
 std::string to_text(double value, int decimals) {
   std::array<char, 32> buffer{};

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "support/random_grids.hpp"
 #include "tutavia/grid/transposed.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -82,23 +83,13 @@ class WithLinks : public Base {
   Frame frame_{};
 };
 
-/// All nodes free.
-inline OccupancyGrid archetype_grid() {
-  constexpr int count = archetype_side + 1;
-  OccupancyGrid grid = OccupancyGrid::blocked(count, count).value();
-  for (int y = 0; y < count; ++y) {
-    for (int x = 0; x < count; ++x) grid.set({x, y}, true);
-  }
-  return grid;
-}
-
 template <class Base>
 class WithNodes : public Base {
  public:
   const OccupancyGrid& grid() const { return grid_; }
 
  private:
-  OccupancyGrid grid_ = archetype_grid();
+  OccupancyGrid grid_ = free_grid(archetype_side + 1, archetype_side + 1);
 };
 
 template <class Base>

@@ -3,11 +3,15 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/space/cell_space.hpp"
+#include "tutavia/space/inflated_space.hpp"
+#include "tutavia/space/lattice_space.hpp"
 
 /// \file
 /// What the contracts of searchers and smoothers have in common.
@@ -48,6 +52,15 @@ class Breaches {
   std::string place_;
   std::vector<Breach> list_;
 };
+
+/// Calls `visit(type, name)` for each kind of space on which the contracts are tried, its type as a
+/// std::type_identity.
+template <class Visit>
+void for_each_kind_of_space(const Visit& visit) {
+  visit(std::type_identity<LatticeSpace>{}, "LatticeSpace");
+  visit(std::type_identity<CellSpace>{}, "CellSpace");
+  visit(std::type_identity<InflatedSpace>{}, "InflatedSpace");
+}
 
 /// Fails the running test for every breach; `algorithm` and `space` name what was tried.
 inline void report(const Breaches& breaches, std::string_view algorithm, std::string_view space) {

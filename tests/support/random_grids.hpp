@@ -23,12 +23,18 @@ inline OccupancyGrid noise_grid(Random& random, int width, int height, double de
   return grid;
 }
 
+/// A grid without blocked cells.
+inline OccupancyGrid free_grid(int width, int height) {
+  OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
+  for (int y = 0; y < height; ++y) grid.set_run(y, 0, width - 1, true);
+  return grid;
+}
+
 /// Grids of 1 to `largest` cells a side: noise of 0 to 50 %, blocks, or rooms with doors.
 inline OccupancyGrid random_grid(Random& random, int largest) {
   const auto upto = [&](int n) { return static_cast<int>(random.below(static_cast<unsigned>(n))); };
   const int width = 1 + upto(largest), height = 1 + upto(largest);
-  OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
-  for (int y = 0; y < height; ++y) grid.set_run(y, 0, width - 1, true);
+  OccupancyGrid grid = free_grid(width, height);
   switch (random.below(3)) {
     case 0:
       return noise_grid(random, width, height, random.uniform(0, 0.5));

@@ -55,14 +55,11 @@ Breaches broken_clauses(const AnySearch<S>& search, const SearcherPromise& promi
 template <class A>
 void searcher_contract(const A& algorithm, const SearcherPromise& promise = {}) {
   static_assert(Searcher<A, CellSpace>);  // as every search of the library
-  const auto on = [&]<class S>(std::type_identity<S>, std::string_view space) {
+  for_each_kind_of_space([&]<class S>(std::type_identity<S>, std::string_view space) {
     if constexpr (Searcher<A, S>) {
       report(broken_clauses(erase_search<S>(algorithm), promise), A::name, space);
     }
-  };
-  on(std::type_identity<LatticeSpace>{}, "LatticeSpace");
-  on(std::type_identity<CellSpace>{}, "CellSpace");
-  on(std::type_identity<InflatedSpace>{}, "InflatedSpace");
+  });
 }
 
 }  // namespace tutavia::test

@@ -35,14 +35,11 @@ Breaches broken_clauses(const AnySmoother<S>& smoother, const SmootherPromise& p
 template <class A>
 void smoother_contract(const A& smoother, const SmootherPromise& promise = {}) {
   static_assert(Smoother<A, CellSpace>);  // as every smoother of the library
-  const auto on = [&]<class S>(std::type_identity<S>, std::string_view space) {
+  for_each_kind_of_space([&]<class S>(std::type_identity<S>, std::string_view space) {
     if constexpr (Smoother<A, S>) {
       report(broken_clauses(erase_smoother<S>(smoother), promise), A::name, space);
     }
-  };
-  on(std::type_identity<LatticeSpace>{}, "LatticeSpace");
-  on(std::type_identity<CellSpace>{}, "CellSpace");
-  on(std::type_identity<InflatedSpace>{}, "InflatedSpace");
+  });
 }
 
 }  // namespace tutavia::test

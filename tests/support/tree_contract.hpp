@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/exact_checker.hpp"
+#include "support/random_grids.hpp"
 #include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "support/tree_invariants.hpp"
@@ -189,8 +190,7 @@ class TreeTrial {
   }
 
   void finds_routes_among_cells() {
-    OccupancyGrid grid = OccupancyGrid::blocked(20, 20).value();
-    for (int y = 0; y < 20; ++y) grid.set_run(y, 0, 19, true);
+    OccupancyGrid grid = free_grid(20, 20);
     for (int y = 0; y < 16; ++y) grid.set({10, y}, false);
     NoObserver nobody;
     for (const double radius : {0.0, 0.7}) {
