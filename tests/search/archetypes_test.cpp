@@ -14,7 +14,9 @@
 #include "support/registry.hpp"
 #include "tutavia/optimum.hpp"
 #include "tutavia/search/flow_field.hpp"
+#include "tutavia/search/goal_estimate.hpp"
 #include "tutavia/search/risk_zone.hpp"
+#include "tutavia/search/ssa_tuning.hpp"
 #include "tutavia/space/clearance_costs.hpp"
 #include "tutavia/space/grid_builder.hpp"
 

@@ -11,6 +11,7 @@
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/ssa_astar.hpp"
+#include "tutavia/search/ssa_tuning.hpp"
 #include "tutavia/space/cell_space.hpp"
 
 namespace {

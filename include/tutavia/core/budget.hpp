@@ -7,12 +7,16 @@
 #include <optional>
 #include <stop_token>
 
-#include "tutavia/core/error.hpp"
-
 /// \file
 /// Budget: how much time and work one query may take.
 
 namespace tutavia {
+
+/// Why a query has to end before its answer.
+enum class BudgetEnd {
+  exhausted,  ///< out of time
+  cancelled,  ///< stopped on request
+};
 
 /// Limits of one query; they hold for search, smoothing and certification alike. The default has
 /// none.
@@ -39,10 +43,10 @@ struct Budget {
 
   /// What ends the query now, if anything does. Reads the clock: call it once per some hundred
   /// steps.
-  std::optional<PlanError> exceeded() const {
-    if (cancelled()) return PlanError::cancelled;
+  std::optional<BudgetEnd> exceeded() const {
+    if (cancelled()) return BudgetEnd::cancelled;
     if (deadline != Clock::time_point::max() && Clock::now() >= deadline) {
-      return PlanError::budget_exhausted;
+      return BudgetEnd::exhausted;
     }
     return std::nullopt;
   }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "tutavia/core/budget.hpp"
 #include "tutavia/core/expected.hpp"
 #include "tutavia/core/statistics.hpp"
 
@@ -64,6 +65,11 @@ constexpr std::string_view to_string(PlanError code) {
   return "unknown";
 }
 
+/// The code of a query that its budget has ended.
+constexpr PlanError to_error(BudgetEnd end) {
+  return end == BudgetEnd::cancelled ? PlanError::cancelled : PlanError::budget_exhausted;
+}
+
 /// Why there is no plan, and what is known about it.
 struct Failure {
   PlanError code = PlanError::invalid_input;
@@ -89,6 +95,9 @@ inline Unexpected<Failure> fail(PlanError code, std::string detail = {}) {
   failure.code = code;
   failure.detail = std::move(detail);
   return {std::move(failure)};
+}
+inline Unexpected<Failure> fail(BudgetEnd end, std::string detail = {}) {
+  return fail(to_error(end), std::move(detail));
 }
 
 }  // namespace tutavia

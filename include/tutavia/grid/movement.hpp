@@ -33,6 +33,9 @@ inline constexpr Cost diagonal_cost = 19601;
 inline constexpr std::array<Cell, 8> steps{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
+/// A set of steps: bit i stands for `steps[i]`.
+using StepSet = std::uint8_t;
+
 constexpr bool is_diagonal(std::size_t step) { return step % 2 != 0; }
 constexpr Cost step_cost(std::size_t step) {
   return is_diagonal(step) ? diagonal_cost : straight_cost;

@@ -12,9 +12,6 @@
 
 namespace tutavia {
 
-/// A set of steps: bit i stands for `steps[i]`.
-using StepSet = std::uint8_t;
-
 /// The eight neighbours of a cell, a bit each (1: free), row by row from (x - 1, y - 1).
 using Neighbourhood = std::uint8_t;
 

@@ -52,7 +52,7 @@ class PulledString {
   /// Pulls until every bend is taut or cannot be pulled in a proved way.
   std::optional<PlanError> pull() {
     for (std::size_t b = bends_[0].next; b != none && b != last_;) {
-      if (const auto exceeded = budget_.exceeded()) return exceeded;
+      if (const auto exceeded = budget_.exceeded()) return to_error(*exceeded);
       const std::optional<std::size_t> before = is_taut(b) ? std::nullopt : take_out(b);
       b = !before ? bends_[b].next : *before == 0 ? bends_[0].next : *before;
     }

@@ -20,6 +20,7 @@
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/linked_query.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file

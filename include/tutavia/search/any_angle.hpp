@@ -10,6 +10,7 @@
 #include "tutavia/search/interval_search.hpp"
 #include "tutavia/search/navigation_mesh.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/row_runs.hpp"

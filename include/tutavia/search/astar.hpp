@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "tutavia/grid/cell_costs.hpp"
+#include "tutavia/search/goal_estimate.hpp"
 #include "tutavia/search/grid_graph.hpp"
 #include "tutavia/search/heuristic.hpp"
 #include "tutavia/search/wave_search.hpp"

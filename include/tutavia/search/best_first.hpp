@@ -13,6 +13,7 @@
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/open_list.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/query_labels.hpp"
 
 /// \file
@@ -116,7 +117,7 @@ std::optional<PlanError> best_first(const Graph& graph, const Heuristic& heurist
     if (entry->node == graph.target()) return std::nullopt;
     if (stats.expanded >= budget.max_expansions) return PlanError::budget_exhausted;
     if (stats.expanded % 256 == 0) {
-      if (const auto exceeded = budget.exceeded()) return exceeded;
+      if (const auto exceeded = budget.exceeded()) return to_error(*exceeded);
     }
     ++stats.expanded;
     observer.expanded(graph.point(entry->node));

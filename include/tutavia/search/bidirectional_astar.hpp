@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tutavia/search/goal_estimate.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/wave_search.hpp"
 
 /// \file

@@ -5,7 +5,10 @@
 #include <string_view>
 
 #include "tutavia/core/error.hpp"
+#include "tutavia/geometry/box.hpp"
+#include "tutavia/geometry/curve.hpp"
 #include "tutavia/geometry/point.hpp"
+#include "tutavia/geometry/segment.hpp"
 #include "tutavia/search/query.hpp"
 #include "tutavia/search/route.hpp"
 
@@ -19,6 +22,20 @@ template <class O>
 concept Observer = requires(O& o, const Point& p) {
   o.expanded(p);
   o.generated(p);
+};
+
+/// An observer that is also told of every free rectangle that a search grows, between the reference
+/// points of its corner cells, and of the interval that it grew from.
+template <class O>
+concept RectangleObserver = Observer<O> && requires(O& o, const Segment& from, const Box& grown) {
+  o.grown(from, grown);
+};
+
+/// An observer that is also told of every better path that a search finds on its way, and of its
+/// cost.
+template <class O>
+concept AnytimeObserver = Observer<O> && requires(O& o, const Curve& path, double cost) {
+  o.improved(path, cost);
 };
 
 /// The observer that looks away; it costs nothing.

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "tutavia/search/astar.hpp"
+#include "tutavia/search/goal_estimate.hpp"
 
 /// \file
 /// Dijkstra's algorithm: a cheapest path on a grid, found without a heuristic.

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/search/goal_estimate.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/wave_search.hpp"
 
 /// \file

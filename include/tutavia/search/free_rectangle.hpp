@@ -64,13 +64,6 @@ struct CellRectangle {
   }
 };
 
-/// An observer that is also told of every free rectangle that a search grows, between the reference
-/// points of its corner cells, and of the interval that it grew from.
-template <class O>
-concept RectangleObserver = Observer<O> && requires(O& o, const Segment& from, const Box& grown) {
-  o.grown(from, grown);
-};
-
 /// Tells an observer of a rectangle, if it wishes to know.
 template <LinkedSpace S, Observer O>
 void tell_of(O& observer, const S& space, const CellInterval& from, const CellRectangle& r) {

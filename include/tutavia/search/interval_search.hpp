@@ -18,6 +18,7 @@
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/jump_queue.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/space/cell_space.hpp"
 

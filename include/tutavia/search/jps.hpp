@@ -6,6 +6,7 @@
 
 #include "tutavia/grid/stop_planes.hpp"
 #include "tutavia/search/jump_search.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file

@@ -11,6 +11,7 @@
 #include "tutavia/core/compiler.hpp"
 #include "tutavia/search/jump_search.hpp"
 #include "tutavia/search/jump_table.hpp"
+#include "tutavia/search/query_checks.hpp"
 
 /// \file
 /// JPS+: jump point search on a precomputed table.

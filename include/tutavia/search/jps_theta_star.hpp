@@ -10,6 +10,7 @@
 #include "tutavia/pull/remove_redundant.hpp"
 #include "tutavia/search/jps.hpp"
 #include "tutavia/search/jump_heap.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file

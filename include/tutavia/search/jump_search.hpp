@@ -19,10 +19,12 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/grid/successors.hpp"
 #include "tutavia/search/concepts.hpp"
+#include "tutavia/search/goal_estimate.hpp"
 #include "tutavia/search/heuristic.hpp"
 #include "tutavia/search/jump_labels.hpp"
 #include "tutavia/search/jump_queue.hpp"
 #include "tutavia/search/linked_query.hpp"
+#include "tutavia/search/query_checks.hpp"
 
 /// \file
 /// Jump point search: what the online and the prepared variant share.

@@ -16,6 +16,7 @@
 #include "tutavia/core/assert.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/space/concepts.hpp"
 

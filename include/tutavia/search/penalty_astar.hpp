@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tutavia/search/best_first.hpp"
+#include "tutavia/search/goal_estimate.hpp"
 #include "tutavia/search/grid_graph.hpp"
 #include "tutavia/search/heuristic.hpp"
 

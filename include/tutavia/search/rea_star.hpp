@@ -12,11 +12,13 @@
 
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/free_rectangle.hpp"
+#include "tutavia/search/goal_estimate.hpp"
 #include "tutavia/search/heuristic.hpp"
 #include "tutavia/search/linked_query.hpp"
 #include "tutavia/search/octile_reach.hpp"
 #include "tutavia/search/open_list.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/query_labels.hpp"
 #include "tutavia/space/concepts.hpp"
 

@@ -18,6 +18,7 @@
 #include "tutavia/search/linked_query.hpp"
 #include "tutavia/search/open_list.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/rails.hpp"
 #include "tutavia/space/concepts.hpp"
 

@@ -12,6 +12,7 @@
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/optimal_tree.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/risk_zone.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/search/tree_growth.hpp"

@@ -15,6 +15,7 @@
 #include "tutavia/core/error.hpp"
 #include "tutavia/core/parallel.hpp"
 #include "tutavia/core/random.hpp"
+#include "tutavia/search/query_checks.hpp"
 
 /// \file
 /// SalpSwarm: looks for the least value of a function within bounds.

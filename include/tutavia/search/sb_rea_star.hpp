@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/search/goal_estimate.hpp"
 #include "tutavia/search/octile_reach.hpp"
 #include "tutavia/search/rectangle_waves.hpp"
 

@@ -19,6 +19,7 @@
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/open_list.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/search/tangent_map.hpp"
 #include "tutavia/space/concepts.hpp"

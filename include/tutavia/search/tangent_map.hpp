@@ -16,6 +16,7 @@
 #include "tutavia/geometry/bitangent.hpp"
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/search/changed_zones.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 #include "tutavia/space/passing_radius.hpp"
 

@@ -20,6 +20,7 @@
 #include "tutavia/search/jump_queue.hpp"
 #include "tutavia/search/linked_query.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/cell_corners.hpp"
 #include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/concepts.hpp"

@@ -13,6 +13,7 @@
 #include "tutavia/core/statistics.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/route.hpp"
 #include "tutavia/search/search_tree.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -21,13 +22,6 @@
 /// What the searches that grow trees by sampling have in common.
 
 namespace tutavia {
-
-/// An observer that is also told of every better path that a search finds on its way, and of its
-/// cost.
-template <class O>
-concept AnytimeObserver = Observer<O> && requires(O& o, const Curve& path, double cost) {
-  o.improved(path, cost);
-};
 
 /// Memory of a search that grows one tree, and the tree that it grew last.
 struct TreeScratch {

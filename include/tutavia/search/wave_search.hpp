@@ -10,6 +10,7 @@
 #include "tutavia/core/budget.hpp"
 #include "tutavia/search/grid_wave.hpp"
 #include "tutavia/search/linked_query.hpp"
+#include "tutavia/search/query_checks.hpp"
 
 /// \file
 /// One wave from start to goal: A* and Dijkstra's algorithm, canonical or not.

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "tutavia/search/goal_estimate.hpp"
 #include "tutavia/search/grid_graph.hpp"
 #include "tutavia/search/heuristic.hpp"
 

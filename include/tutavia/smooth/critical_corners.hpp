@@ -7,7 +7,6 @@
 
 #include "tutavia/geometry/segment.hpp"
 #include "tutavia/space/concepts.hpp"
-#include "tutavia/space/corner.hpp"
 
 /// \file
 /// Critical corners: the obstacle corners that a path passes closely.

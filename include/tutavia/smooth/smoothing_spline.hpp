@@ -77,7 +77,7 @@ class SplineSections {
   /// Appends the pieces from node `first` to `last` to the result, or says that the budget ended.
   /// \pre first < last
   std::optional<PlanError> smooth(std::size_t first, std::size_t last) {
-    if (const auto exceeded = budget_.exceeded()) return exceeded;
+    if (const auto exceeded = budget_.exceeded()) return to_error(*exceeded);
     if (last - first == 1) {
       append({nodes_[first], nodes_[last]});
     } else if (!fit(nodes_.subspan(first, last - first + 1))) {

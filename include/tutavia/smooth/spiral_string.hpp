@@ -48,7 +48,7 @@ class SpiralString {
   std::optional<Failure> widen(const Budget& budget) {
     while (true) {
       if (const auto exceeded = budget.exceeded()) {
-        return Failure{.code = *exceeded, .detail = "while smoothing"};
+        return Failure{.code = to_error(*exceeded), .detail = "while smoothing"};
       }
       const bool is_done = draw_ways() && draw_bends() && prove();
       if (failure_ || is_done) return failure_;

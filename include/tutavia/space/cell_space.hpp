@@ -20,7 +20,6 @@
 #include "tutavia/grid/line_of_sight.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/concepts.hpp"
-#include "tutavia/space/corner.hpp"
 #include "tutavia/space/grid_layer.hpp"
 #include "tutavia/space/nearest_feature.hpp"
 #include "tutavia/world/workspace.hpp"

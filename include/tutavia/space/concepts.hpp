@@ -9,10 +9,9 @@
 #include "tutavia/geometry/arc.hpp"
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/segment.hpp"
+#include "tutavia/grid/movement.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/grid/stop_planes.hpp"
-#include "tutavia/grid/successors.hpp"
-#include "tutavia/space/corner.hpp"
 #include "tutavia/space/links.hpp"
 #include "tutavia/world/frame.hpp"
 #include "tutavia/world/workspace.hpp"
@@ -30,6 +29,14 @@ struct Proximity {
   double parameter = 0;           ///< where on the piece it is attained, in [0, 1]
   std::uint32_t obstacle = none;  ///< index of the obstacle; none: nothing within reach
   std::uint32_t edge = 0;         ///< which of its edges (outer ring first, then the holes)
+};
+
+/// A convex corner of an obstacle, or a disc.
+struct Corner {
+  Point position = Point::Zero();  ///< the vertex, or the disc's centre
+  double radius = 0;               ///< 0 for a vertex, else the disc's radius [m]
+  double exterior_angle = 0;       ///< by how much the boundary turns there [rad]; 2 pi for a disc
+  std::uint32_t id = 0;            ///< the same corner has the same id in every answer
 };
 
 /// Free space with a yes-or-no answer: `is_free(p)` says whether the point is in it,

@@ -13,7 +13,6 @@
 #include "tutavia/geometry/segment.hpp"
 #include "tutavia/space/box_tree.hpp"
 #include "tutavia/space/concepts.hpp"
-#include "tutavia/space/corner.hpp"
 #include "tutavia/space/nearest_feature.hpp"
 #include "tutavia/world/workspace.hpp"
 

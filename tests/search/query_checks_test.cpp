@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/search/query.hpp"
+#include "tutavia/search/query_checks.hpp"
+#include "tutavia/space/inflated_space.hpp"
 
 #include "support/catch.hpp"
-#include "tutavia/space/inflated_space.hpp"
 
 namespace {
 
