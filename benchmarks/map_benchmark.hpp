@@ -20,9 +20,9 @@
 #include "program.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/io/moving_ai.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/query.hpp"
-#include "tutavia/search/route.hpp"
 #include "tutavia/space/cell_space.hpp"
 
 /// \file

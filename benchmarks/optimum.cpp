@@ -17,12 +17,12 @@
 
 #include "polygon_worlds.hpp"
 #include "tutavia/certify/certify.hpp"
-#include "tutavia/pull/shortcut.hpp"
-#include "tutavia/pull/taut_string.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/search/theta_star.hpp"
 #include "tutavia/smooth/homotopy_refine.hpp"
+#include "tutavia/smooth/shortcut.hpp"
+#include "tutavia/smooth/taut_string.hpp"
 #include "tutavia/space/lattice_space.hpp"
 #include "tutavia/world/changed_boxes.hpp"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/core/expected.hpp"
-#include "tutavia/io/write_file.hpp"
+#include "tutavia/io/text/write_file.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// What every benchmark program does around its measuring.
@@ -40,7 +40,7 @@ T value_or_throw(tutavia::Expected<T, tutavia::Failure> result) {
 /// Writes a file, if its path is not empty.
 inline void write_if_named(const std::string& path, const std::string& text) {
   if (path.empty()) return;
-  if (const auto written = tutavia::write_file(path, text); !written) {
+  if (const auto written = tutavia::detail::write_file(path, text); !written) {
     throw UsageError{written.error().detail};
   }
 }

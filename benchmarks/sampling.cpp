@@ -21,8 +21,6 @@
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/io/moving_ai.hpp"
 #include "tutavia/planner.hpp"
-#include "tutavia/pull/redundant_node_removal.hpp"
-#include "tutavia/pull/shortcut.hpp"
 #include "tutavia/search/informed_rrt_star.hpp"
 #include "tutavia/search/rrt.hpp"
 #include "tutavia/search/rrt_connect.hpp"
@@ -30,6 +28,8 @@
 #include "tutavia/search/safe_rrt_star.hpp"
 #include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
+#include "tutavia/smooth/redundant_node_removal.hpp"
+#include "tutavia/smooth/shortcut.hpp"
 #include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/inflated_space.hpp"
 #include "tutavia/world/maps.hpp"
@@ -277,8 +277,8 @@ void compare_on(const std::string& name, const S& space, const Query& query,
               name.c_str(), step, wide, args.iterations, args.seeds);
   const std::uint32_t n = args.iterations;
   compare<RrtStar, og::RRTstar>("RRT*, radius rule, factor 1.1",
-                                {.iterations = n, .neighbours = Neighbours::radius}, space, query,
-                                args, n, [&](og::RRTstar& peer) {
+                                {.iterations = n, .neighbours = detail::Neighbours::radius}, space,
+                                query, args, n, [&](og::RRTstar& peer) {
                                   peer.setRange(step);
                                   peer.setKNearest(false);
                                   peer.setRewireFactor(1.1);
@@ -357,10 +357,10 @@ void show_convergence(const Arguments& args) {
     std::printf("%s, robot of 1 m: %.4f m\n", scene.name.c_str(), optimum);
     print_convergence("RRT*, k nearest", args, space, query, optimum, RrtStar{});
     print_convergence("RRT*, radius", args, space, query, optimum,
-                      RrtStar{.neighbours = Neighbours::radius});
+                      RrtStar{.neighbours = detail::Neighbours::radius});
     print_convergence("Informed RRT*, k nearest", args, space, query, optimum, InformedRrtStar{});
     print_convergence("Informed RRT*, radius", args, space, query, optimum,
-                      InformedRrtStar{.neighbours = Neighbours::radius});
+                      InformedRrtStar{.neighbours = detail::Neighbours::radius});
   }
 }
 

@@ -9,8 +9,8 @@
 
 #include "support/searcher_contract.hpp"
 #include "support/smoother_contract.hpp"
-#include "tutavia/pull/shortcut.hpp"
 #include "tutavia/search/astar.hpp"
+#include "tutavia/smooth/shortcut.hpp"
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include "support/exact_checker.hpp"
 #include "support/reference_distance.hpp"
 #include "support/searcher_contract.hpp"
-#include "tutavia/pull/shortcut.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/dijkstra.hpp"
 #include "tutavia/search/jps.hpp"
@@ -15,6 +14,7 @@
 #include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "tutavia/smooth/no_smoothing.hpp"
+#include "tutavia/smooth/shortcut.hpp"
 #include "tutavia/world/maps.hpp"
 
 namespace {

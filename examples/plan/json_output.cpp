@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "tutavia/io/plan_json.hpp"
+#include "tutavia/io/text/write_file.hpp"
 #include "tutavia/io/trace_json.hpp"
-#include "tutavia/io/write_file.hpp"
 #include "usage_error.hpp"
 
 namespace plan_program {
@@ -37,7 +37,7 @@ void write_results(const std::string& path, const Scene& scene, const std::vecto
     std::cout << text << std::flush;
     if (!std::cout) throw UsageError{"cannot write to stdout"};
   } else {
-    throw_failure(write_file(path, text));
+    throw_failure(detail::write_file(path, text));
   }
 }
 

@@ -97,8 +97,8 @@ std::vector<Point> critical_corners_of(const PlanningSpace& any_space, const Cur
   std::vector<Point> positions;
   std::visit(
       [&](const auto& space) {
-        for (const Corner& corner : critical_corners(space, joints(route), delta.corner_threshold,
-                                                     delta.min_exterior_angle)) {
+        for (const Corner& corner : detail::critical_corners(
+                 space, joints(route), delta.corner_threshold, delta.min_exterior_angle)) {
           positions.push_back(corner.position);
         }
       },

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/core/expected.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// UsageError: bad usage or bad input.

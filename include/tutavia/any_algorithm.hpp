@@ -8,12 +8,12 @@
 #include <typeinfo>
 
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/core/expected.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/query.hpp"
-#include "tutavia/search/route.hpp"
 #include "tutavia/search/search_record.hpp"
 #include "tutavia/smooth/concepts.hpp"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "tutavia/core/parallel.hpp"
+#include "tutavia/core/parts/parallel.hpp"
 #include "tutavia/planner.hpp"
 
 /// \file
@@ -22,7 +22,7 @@ std::vector<Expected<Plan, Failure>> plan_batch(const Planner<Search, Smooth>& p
                                                 const S& space, std::span<const Query> queries,
                                                 unsigned threads = 0) {
   std::vector<std::optional<Expected<Plan, Failure>>> slots(queries.size());
-  for_each_in_parallel(queries.size(), threads, [&] {
+  detail::for_each_in_parallel(queries.size(), threads, [&] {
     return [&, worker = planner.worker()](std::size_t i) mutable {
       slots[i].emplace(worker.plan(space, queries[i]));
     };

@@ -7,10 +7,6 @@
 #include <vector>
 
 #include "tutavia/any_algorithm.hpp"
-#include "tutavia/pull/redundant_node_removal.hpp"
-#include "tutavia/pull/shortcut.hpp"
-#include "tutavia/pull/string_pull.hpp"
-#include "tutavia/pull/taut_string.hpp"
 #include "tutavia/search/ant_colony.hpp"
 #include "tutavia/search/any_angle.hpp"
 #include "tutavia/search/astar.hpp"
@@ -42,7 +38,11 @@
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "tutavia/smooth/homotopy_refine.hpp"
 #include "tutavia/smooth/no_smoothing.hpp"
+#include "tutavia/smooth/redundant_node_removal.hpp"
+#include "tutavia/smooth/shortcut.hpp"
 #include "tutavia/smooth/smoothing_spline.hpp"
+#include "tutavia/smooth/string_pull.hpp"
+#include "tutavia/smooth/taut_string.hpp"
 #include "tutavia/smooth/two_stage_b_spline.hpp"
 #include "tutavia/space/concepts.hpp"
 

@@ -10,7 +10,7 @@
 #include "support/random_grids.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
-#include "tutavia/grid/transposed.hpp"
+#include "tutavia/grid/bitboard/transposed.hpp"
 
 namespace {
 
@@ -98,7 +98,7 @@ TEST_CASE("lines of sight between all pairs of corners are what the competition'
   Random random(seed);
   std::size_t seen = 0, pairs = 0, wrong = 0;
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
-    const OccupancyGrid grid = test::random_grid(random, 20), columns = transposed(grid);
+    const OccupancyGrid grid = test::random_grid(random, 20), columns = detail::transposed(grid);
     const test::CornerRules rules(grid);
     const Cell a = test::random_cell(random, grid) +
                    Cell{static_cast<int>(random.below(2)), static_cast<int>(random.below(2))};
@@ -125,7 +125,7 @@ TEST_CASE("corners see each other along walls over many words of a row") {
   OccupancyGrid grid = OccupancyGrid::blocked(400, 2).value();
   grid.set_run(0, 0, 199, true);
   grid.set_run(1, 150, 399, true);
-  const OccupancyGrid columns = transposed(grid);
+  const OccupancyGrid columns = detail::transposed(grid);
   const auto sees = [&](int from, int to) {
     return corner_line_of_sight(grid.view(), columns.view(), {from, 1}, {to, 1});
   };

@@ -9,7 +9,7 @@
 #include "support/catch.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
-#include "tutavia/grid/bits.hpp"
+#include "tutavia/grid/bitboard/bits.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 
 namespace {
@@ -47,15 +47,15 @@ TEST_CASE("bits are loaded from any place, 57 of them at least", "[grid]") {
   for (std::uint64_t& word : words) word = random();
   const auto bit = [&](std::size_t i) { return (words[i / 64] >> (i % 64)) & 1u; };
   for (std::size_t first = 0; first + 63 < 64 * words.size(); ++first) {
-    const std::uint64_t loaded = load_bits(words.data(), first);
+    const std::uint64_t loaded = detail::load_bits(words.data(), first);
     std::size_t wrong = 0;
-    for (std::size_t i = 0; i < loaded_bits; ++i) {
+    for (std::size_t i = 0; i < detail::loaded_bits; ++i) {
       if (((loaded >> i) & 1u) != bit(first + i)) ++wrong;
     }
     CAPTURE(first);
     CHECK(wrong == 0);
   }
-  CHECK(loaded_bits >= 57);
+  CHECK(detail::loaded_bits >= 57);
 }
 
 TEST_CASE("an index leads back to its cell, on grids of every width and up to the largest index",

@@ -13,7 +13,7 @@
 #include "support/scale.hpp"
 #include "support/skip.hpp"
 #include "tutavia/core/random.hpp"
-#include "tutavia/io/write_file.hpp"
+#include "tutavia/io/text/write_file.hpp"
 
 namespace {
 
@@ -260,8 +260,8 @@ TEST_CASE("failures to read a MovingAI file begin with its name") {
   const fs::path folder = fs::temp_directory_path() / "tutavia_moving_ai_test";
   fs::create_directories(folder);
   const fs::path map = folder / "a.map", scenario = folder / "a.map.scen";
-  REQUIRE(write_file(map, header + ".G@\nSW.\n"));
-  REQUIRE(write_file(scenario, "version 1\n0 a 5 4 1 2 3 0\n"));
+  REQUIRE(detail::write_file(map, header + ".G@\nSW.\n"));
+  REQUIRE(detail::write_file(scenario, "version 1\n0 a 5 4 1 2 3 0\n"));
   CHECK(read_moving_ai_map(map, {DirectionalTerrain::blocked}));
   CHECK(read_moving_ai_map(map).error().detail.find(map.string() + ": line 6: ") == 0);
   CHECK(read_moving_ai_scenario(scenario).error().detail ==

@@ -13,7 +13,7 @@
 #include "support/catch.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
-#include "tutavia/io/write_file.hpp"
+#include "tutavia/io/text/write_file.hpp"
 
 namespace {
 
@@ -504,19 +504,19 @@ TEST_CASE("a map's image is looked for beside its YAML file") {
   const fs::path folder = fs::temp_directory_path() / "tutavia_ros_map_test";
   fs::create_directories(folder / "pictures");
   const fs::path yaml = folder / "a.yaml", pgm = folder / "pictures" / "a.pgm";
-  REQUIRE(write_file(pgm, image));
-  REQUIRE(write_file(yaml, replaced(trinary, "a.pgm", "pictures/a.pgm")));
+  REQUIRE(detail::write_file(pgm, image));
+  REQUIRE(detail::write_file(yaml, replaced(trinary, "a.pgm", "pictures/a.pgm")));
   const auto relative = read_ros_map(yaml);
   if (!relative) FAIL(relative.error().detail);
   CHECK(relative->values == Values{0, -1, 100, 100, -1, 0});
-  REQUIRE(write_file(yaml, replaced(trinary, "a.pgm", '"' + pgm.string() + '"')));
+  REQUIRE(detail::write_file(yaml, replaced(trinary, "a.pgm", '"' + pgm.string() + '"')));
   CHECK(read_ros_map(yaml));
 
-  REQUIRE(write_file(pgm, "GIF89a"));
+  REQUIRE(detail::write_file(pgm, "GIF89a"));
   CHECK(complaint(read_ros_map(yaml)).find(pgm.string() + ": PGM byte 0: expected P2 or P5") == 0);
-  REQUIRE(write_file(yaml, trinary));
+  REQUIRE(detail::write_file(yaml, trinary));
   CHECK(complaint(read_ros_map(yaml)) == (folder / "a.pgm").string() + ": cannot be read");
-  REQUIRE(write_file(yaml, "image: a.pgm\nresolution 0.05\n"));
+  REQUIRE(detail::write_file(yaml, "image: a.pgm\nresolution 0.05\n"));
   CHECK(complaint(read_ros_map(yaml)).find(yaml.string() + ": line 2: expected key: value") == 0);
   fs::remove_all(folder);
   CHECK(complaint(read_ros_map(yaml)) == yaml.string() + ": cannot be read");

@@ -14,11 +14,11 @@
 #include "support/random_tasks.hpp"
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
-#include "tutavia/pull/taut_string.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/clothoid_smoother.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
+#include "tutavia/smooth/taut_string.hpp"
 #include "tutavia/space/inflated_space.hpp"
 
 namespace {

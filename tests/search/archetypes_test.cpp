@@ -14,11 +14,11 @@
 #include "support/registry.hpp"
 #include "tutavia/optimum.hpp"
 #include "tutavia/search/flow_field.hpp"
-#include "tutavia/search/goal_estimate.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
 #include "tutavia/search/risk_zone.hpp"
-#include "tutavia/search/ssa_tuning.hpp"
 #include "tutavia/space/clearance_costs.hpp"
 #include "tutavia/space/grid_builder.hpp"
+#include "tutavia/tuning/ssa_tuning.hpp"
 
 namespace {
 
@@ -107,7 +107,7 @@ static_assert(!Searcher<ImprovedReaStar, ColumnArchetype>);
 static_assert(!Searcher<ImprovedReaStar, SightArchetype>);
 static_assert(!Searcher<AnyAngle, WorkspaceArchetype> && Searcher<AnyAngle, CellSpace>);
 
-static_assert(!std::constructible_from<FreeRectangles, const GridArchetype&>);
+static_assert(!std::constructible_from<detail::FreeRectangles, const GridArchetype&>);
 
 TEST_CASE("the registry lists the searches that work on a space") {
   const auto count = [](const auto& searches, std::string_view name) {
@@ -152,38 +152,42 @@ struct PricesArchetype {
   static constexpr Cost scale = 2;
   Cost price(Cell, std::size_t) const { return scale * straight_cost; }
 };
-static_assert(StepPrices<PricesArchetype> && StepPrices<CellCosts> && StepPrices<PlainPrices>);
-static_assert(!StepPrices<int>);
+static_assert(detail::StepPrices<PricesArchetype> && detail::StepPrices<CellCosts> &&
+              detail::StepPrices<detail::PlainPrices>);
+static_assert(!detail::StepPrices<int>);
 
 TEST_CASE("a grid is searched by prices of any kind") {
   const GridArchetype space;
-  GridGraphScratch scratch;
+  detail::GridGraphScratch scratch;
   ObserverArchetype observer;
-  const auto route = graph_search(space, query, scratch, observer, PricesArchetype{},
-                                  [](const LinkedQuery&) { return [](Cell) { return Cost{0}; }; });
+  const auto route =
+      detail::graph_search(space, query, scratch, observer, PricesArchetype{},
+                           [](const detail::LinkedQuery&) { return [](Cell) { return Cost{0}; }; });
   check_route(route, space);
   CHECK(route->cost == Approx(6));
 }
 
 /// Models JumpGuide.
 struct GuideArchetype {
-  using Open = JumpHeap;
+  using Open = detail::JumpHeap;
   Cost estimate(Cell) const { return 0; }
 };
-static_assert(JumpGuide<GuideArchetype> && !LookBackGuide<GuideArchetype>);
-static_assert(JumpScanner<PlaneScanner> && !PrefetchingScanner<PlaneScanner>);
-static_assert(!JumpScanner<int> && !JumpGuide<int> && !JumpOpenList<int>);
-static_assert(!WaveHeuristic<GoalEstimate> && WaveHeuristic<ZeroHeuristic>);
+static_assert(detail::JumpGuide<GuideArchetype> && !detail::LookBackGuide<GuideArchetype>);
+static_assert(detail::JumpScanner<PlaneScanner> && !detail::PrefetchingScanner<PlaneScanner>);
+static_assert(!detail::JumpScanner<int> && !detail::JumpGuide<int> && !detail::JumpOpenList<int>);
+static_assert(!detail::WaveHeuristic<detail::GoalEstimate> &&
+              detail::WaveHeuristic<detail::ZeroHeuristic>);
 
 TEST_CASE("jump point search takes guides of any kind") {
   const JumpArchetype space;
-  JumpScratchWith<JumpHeap> scratch;
+  detail::JumpScratchWith<detail::JumpHeap> scratch;
   ObserverArchetype observer;
   const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
-  check_route(jump_search(
-                  space, query, scanner, [](const LinkedQuery&) { return GuideArchetype{}; },
-                  scratch, observer, [](std::vector<Cell>&) {}),
-              space);
+  check_route(
+      detail::jump_search(
+          space, query, scanner, [](const detail::LinkedQuery&) { return GuideArchetype{}; },
+          scratch, observer, [](std::vector<Cell>&) {}),
+      space);
 }
 
 /// Models OptimalTreeOptions.
@@ -191,7 +195,7 @@ struct TreeOptionsArchetype {
   std::optional<double> step{};
   double goal_bias = 0.5;
   std::uint32_t iterations = 100;
-  Neighbours neighbours = Neighbours::radius;
+  detail::Neighbours neighbours = detail::Neighbours::radius;
   double rewire_factor = 1.1;
 };
 
@@ -204,7 +208,7 @@ TEST_CASE("a tree grows by edge costs and samples of any kind") {
   const FreeArchetype space;
   const TreeOptionsArchetype options;
   ObserverArchetype observer;
-  OptimalTreeScratch scratch;
+  detail::OptimalTreeScratch scratch;
   detail::TreeGrowth growth(space, query, options.step, observer);
   const EdgeCostArchetype cost;
   detail::OptimalTree tree(growth, {options.neighbours, options.rewire_factor}, cost, scratch);
@@ -213,7 +217,8 @@ TEST_CASE("a tree grows by edge costs and samples of any kind") {
   CHECK(route->cost == Approx(2 * route->curve.length()));
 }
 
-static_assert(detail::ConvexPieces<RowRuns> && !detail::PiecesWithDeadEnds<RowRuns>);
+static_assert(detail::ConvexPieces<detail::RowRuns> &&
+              !detail::PiecesWithDeadEnds<detail::RowRuns>);
 static_assert(detail::PiecesWithDeadEnds<NavigationMesh>);
 static_assert(detail::ReachEvaluation<detail::CellEvaluation>);
 static_assert(detail::PassageEvaluation<detail::MiddleEvaluation>);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tutavia/search/query.hpp"
 #include "tutavia/search/query_checks.hpp"
+#include "tutavia/plan/query.hpp"
 #include "tutavia/space/inflated_space.hpp"
 
 #include "support/catch.hpp"

@@ -18,21 +18,21 @@ using namespace tutavia;
 
 TEST_CASE("RrtStar keeps the contracts of searchers and of trees, by either rule", "[soak]") {
   test::tree_contract(RrtStar{}, 0xd039bc3e07348d86);
-  test::tree_contract(RrtStar{.neighbours = Neighbours::radius}, 0xcd3386779b325701);
+  test::tree_contract(RrtStar{.neighbours = detail::Neighbours::radius}, 0xcd3386779b325701);
 }
 
 TEST_CASE("neighbour rules are those of Karaman and Frazzoli") {
-  const detail::NeighbourRule rule{Neighbours::radius, 1};
+  const detail::NeighbourRule rule{detail::Neighbours::radius, 1};
   CHECK(rule.count(1000) == 29);  // 4.0774 * 6.9078 = 28.17
   CHECK(rule.radius(1000, 2500, 50) ==
         Approx(2 * std::sqrt(1.5) * std::sqrt(2500 / 3.141592653589793) *
                std::sqrt(std::log(1000) / 1000)));
   CHECK(rule.radius(1000, 2500, 2) == 2);
   CHECK(rule.count(1) == 1);
-  CHECK(detail::NeighbourRule{Neighbours::k_nearest, 1e300}.count(50) == 50);
+  CHECK(detail::NeighbourRule{detail::Neighbours::k_nearest, 1e300}.count(50) == 50);
 }
 
-double median_ratio(std::uint32_t iterations, const Scene& scene, Neighbours neighbours) {
+double median_ratio(std::uint32_t iterations, const Scene& scene, detail::Neighbours neighbours) {
   const auto space = InflatedSpace::build(scene.workspace).value();
   Query query{.start = scene.start, .goal = scene.goals[0]};
   NoObserver nobody;
@@ -53,7 +53,8 @@ TEST_CASE("paths become shorter with more iterations, and almost the shortest th
   for (Scene scene : {maps::rrt_scene_1(), maps::rrt_scene_2()}) {
     INFO(scene.name);
     scene.workspace.safety_radius = 1;
-    for (const Neighbours rule : {Neighbours::k_nearest, Neighbours::radius}) {
+    for (const detail::Neighbours rule :
+         {detail::Neighbours::k_nearest, detail::Neighbours::radius}) {
       const double few = median_ratio(1000, scene, rule), more = median_ratio(4000, scene, rule),
                    many = median_ratio(12000, scene, rule);
       CHECK(more < few);
@@ -68,13 +69,13 @@ class PlainRrtStar {
  public:
   PlainRrtStar(const InflatedSpace& space, const Query& query, double step)
       : space_(space), query_(query), step_(step), random_(query.seed) {
-    nodes_.push_back({query.start, 0, 0, SearchTree::none});
+    nodes_.push_back({query.start, 0, 0, detail::SearchTree::none});
   }
 
   void run(int iterations) {
     const Box& b = space_.bounds();
     for (int i = 0; i < iterations; ++i) {
-      const bool towards_goal = goal_ == SearchTree::none && random_.uniform() < 0.05;
+      const bool towards_goal = goal_ == detail::SearchTree::none && random_.uniform() < 0.05;
       Point target = query_.goal;
       if (!towards_goal) {
         target.x() = random_.uniform(b.min.x(), b.max.x());
@@ -84,10 +85,10 @@ class PlainRrtStar {
       const Point from = nodes_[nearest].place, end = detail::steered(from, target, step_);
       if (end == from || !space_.segment_free(from, end)) continue;
       insert(end, nearest);
-      const auto last = static_cast<SearchTree::Node>(nodes_.size() - 1);
+      const auto last = static_cast<detail::SearchTree::Node>(nodes_.size() - 1);
       if (end == query_.goal) {
         goal_ = last;
-      } else if (goal_ == SearchTree::none && distance(end, query_.goal) <= step_ &&
+      } else if (goal_ == detail::SearchTree::none && distance(end, query_.goal) <= step_ &&
                  space_.segment_free(end, query_.goal)) {
         insert(query_.goal, last);
         goal_ = last + 1;
@@ -95,10 +96,10 @@ class PlainRrtStar {
     }
   }
 
-  void check_same(const SearchTree& tree) const {
+  void check_same(const detail::SearchTree& tree) const {
     REQUIRE(tree.size() == nodes_.size());
     std::size_t different = 0;
-    for (SearchTree::Node i = 0; i < tree.size(); ++i) {
+    for (detail::SearchTree::Node i = 0; i < tree.size(); ++i) {
       if (tree.position(i) != nodes_[i].place || tree.parent(i) != nodes_[i].parent ||
           tree.cost(i) != nodes_[i].cost) {
         ++different;
@@ -111,22 +112,22 @@ class PlainRrtStar {
   struct Node {
     Point place;
     double cost, edge;
-    SearchTree::Node parent;
+    detail::SearchTree::Node parent;
   };
 
-  std::vector<SearchTree::Node> by_distance(const Point& p) const {
-    std::vector<std::pair<double, SearchTree::Node>> order;
-    for (SearchTree::Node i = 0; i < nodes_.size(); ++i) {
+  std::vector<detail::SearchTree::Node> by_distance(const Point& p) const {
+    std::vector<std::pair<double, detail::SearchTree::Node>> order;
+    for (detail::SearchTree::Node i = 0; i < nodes_.size(); ++i) {
       const double dx = nodes_[i].place.x() - p.x(), dy = nodes_[i].place.y() - p.y();
       order.push_back({dx * dx + dy * dy, i});
     }
     std::sort(order.begin(), order.end());
-    std::vector<SearchTree::Node> nodes;
+    std::vector<detail::SearchTree::Node> nodes;
     for (const auto& [square, node] : order) nodes.push_back(node);
     return nodes;
   }
 
-  void insert(const Point& p, SearchTree::Node parent) {
+  void insert(const Point& p, detail::SearchTree::Node parent) {
     auto near = by_distance(p);
     const double n = static_cast<double>(std::max<std::size_t>(nodes_.size(), 2));
     const double k = std::ceil(1.1 * 1.5 * std::exp(1.0) * std::log(n));
@@ -140,7 +141,7 @@ class PlainRrtStar {
         added = {p, nodes_[i].cost + edge, edge, i};
       }
     }
-    const auto number = static_cast<SearchTree::Node>(nodes_.size());
+    const auto number = static_cast<detail::SearchTree::Node>(nodes_.size());
     nodes_.push_back(added);
     for (const auto i : near) {
       const double edge = distance(nodes_[i].place, p);
@@ -152,8 +153,8 @@ class PlainRrtStar {
     }
   }
 
-  void update_children(SearchTree::Node node) {
-    for (SearchTree::Node i = 1; i < nodes_.size(); ++i) {
+  void update_children(detail::SearchTree::Node node) {
+    for (detail::SearchTree::Node i = 1; i < nodes_.size(); ++i) {
       if (nodes_[i].parent != node) continue;
       nodes_[i].cost = nodes_[node].cost + nodes_[i].edge;
       update_children(i);
@@ -165,7 +166,7 @@ class PlainRrtStar {
   double step_;
   Random random_;
   std::vector<Node> nodes_;
-  SearchTree::Node goal_ = SearchTree::none;
+  detail::SearchTree::Node goal_ = detail::SearchTree::none;
 };
 
 TEST_CASE("the tree is that of RRT* as it is printed, to the bit", "[soak]") {

@@ -11,8 +11,8 @@
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/ssa_astar.hpp"
-#include "tutavia/search/ssa_tuning.hpp"
 #include "tutavia/space/cell_space.hpp"
+#include "tutavia/tuning/ssa_tuning.hpp"
 
 namespace {
 

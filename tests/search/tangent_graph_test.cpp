@@ -17,7 +17,7 @@
 #include "support/searcher_contract.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/planner.hpp"
-#include "tutavia/pull/taut_string.hpp"
+#include "tutavia/smooth/taut_string.hpp"
 #include "tutavia/world/maps.hpp"
 
 namespace {
@@ -42,7 +42,7 @@ TEST_CASE("ways of a prepared map are proved tangents, each also the other way r
   for (TangentMap::Node from = 0; from < map.nodes(); ++from) {
     for (const TangentMap::Node to : map.ways(from)) {
       ++ways;
-      const auto way = bitangent(map.circle(from), map.circle(to));
+      const auto way = detail::bitangent(map.circle(from), map.circle(to));
       REQUIRE(way);
       CHECK(is_proved_free(space, Segment{way->from, way->to}));
       const auto back = map.ways(to ^ 1u);
@@ -83,7 +83,7 @@ class BruteForce {
     for (std::size_t i = 0; i < circles_.size(); ++i) {
       for (std::size_t j = 0; j < circles_.size(); ++j) {
         const auto way =
-            i == j || i == 1 || j == 0 ? std::nullopt : bitangent(circles_[i], circles_[j]);
+            i == j || i == 1 || j == 0 ? std::nullopt : detail::bitangent(circles_[i], circles_[j]);
         if (way && is_proved_free(space, Segment{way->from, way->to})) {
           ways_.push_back({i, j, *way});
         }
@@ -104,7 +104,7 @@ class BruteForce {
       open.pop();
       if (cost > best[w]) continue;
       if (ways_[w].to == 1) return cost;
-      const SidedCircle& circle = circles_[ways_[w].to];
+      const detail::SidedCircle& circle = circles_[ways_[w].to];
       for (std::size_t v = 0; v < ways_.size(); ++v) {
         if (ways_[v].from != ways_[w].to) continue;
         double turn = circle.side * deflection(ways_[w].way.direction, ways_[v].way.direction);
@@ -122,13 +122,14 @@ class BruteForce {
  private:
   struct Way {
     std::size_t from, to;
-    Bitangent way;
+    detail::Bitangent way;
   };
 
   void add(const Point& center, double radius) {
     for (const int side : {1, -1}) circles_.push_back({center, radius, side});
   }
-  bool is_free(const SidedCircle& circle, const Point& in, const Point& out, double turn) const {
+  bool is_free(const detail::SidedCircle& circle, const Point& in, const Point& out,
+               double turn) const {
     if (distance(in, out) <= space_.slack()) return true;
     Arc arc =
         Arc::around(circle.center, circle.radius, heading(in - circle.center), circle.side * turn);
@@ -138,7 +139,7 @@ class BruteForce {
   }
 
   const InflatedSpace& space_;
-  std::vector<SidedCircle> circles_;
+  std::vector<detail::SidedCircle> circles_;
   std::vector<Way> ways_;
 };
 

@@ -120,7 +120,7 @@ TEST_CASE("facets of a round obstacle are not corners, unless one asks for them"
   const std::vector<Point> along_the_ellipse{{0.2, 2}, {3.8, 2}};
   const double degree = std::acos(-1) / 180;
   const auto count = [&](double angle) {
-    return critical_corners(space, along_the_ellipse, 0.3, angle).size();
+    return detail::critical_corners(space, along_the_ellipse, 0.3, angle).size();
   };
   CHECK(count(20 * degree) < count(1 * degree));
   CHECK(count(1 * degree) >= 10);

@@ -7,8 +7,8 @@
 #include "support/random_tasks.hpp"
 #include "support/smoother_contract.hpp"
 #include "tutavia/certify/certify.hpp"
-#include "tutavia/pull/taut_string.hpp"
 #include "tutavia/smooth/pipeline.hpp"
+#include "tutavia/smooth/taut_string.hpp"
 
 namespace {
 

@@ -10,10 +10,10 @@
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
 #include "support/similarity.hpp"
-#include "tutavia/pull/redundant_node_removal.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/clothoid_smoother.hpp"
+#include "tutavia/smooth/redundant_node_removal.hpp"
 
 namespace {
 

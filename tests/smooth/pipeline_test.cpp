@@ -4,11 +4,11 @@
 #include "support/searcher_contract.hpp"
 #include "support/smoother_contract.hpp"
 #include "tutavia/planner.hpp"
-#include "tutavia/pull/taut_string.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
+#include "tutavia/smooth/taut_string.hpp"
 #include "tutavia/world/maps.hpp"
 
 namespace {

@@ -25,9 +25,9 @@
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/core/random.hpp"
 #include "tutavia/planner.hpp"
-#include "tutavia/pull/shortcut.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
+#include "tutavia/smooth/shortcut.hpp"
 #include "tutavia/space/nearest_free.hpp"
 
 namespace {

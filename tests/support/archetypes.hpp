@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "support/random_grids.hpp"
-#include "tutavia/grid/transposed.hpp"
+#include "tutavia/grid/bitboard/transposed.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -103,7 +103,7 @@ class WithSteps : public Base {
  public:
   StepSet successors(std::size_t index) const {
     const auto around = Base::grid().view().neighbourhood(index);
-    return all_successors(MovementRule::no_cut)[around];
+    return detail::all_successors(MovementRule::no_cut)[around];
   }
 };
 
@@ -113,16 +113,16 @@ class WithColumns : public Base {
   const OccupancyGrid& columns() const { return columns_; }
 
  private:
-  OccupancyGrid columns_ = transposed(Base::grid());
+  OccupancyGrid columns_ = detail::transposed(Base::grid());
 };
 
 template <class Base>
 class WithJumps : public Base {
  public:
-  const StopPlanes& stop_planes() const { return planes_; }
+  const detail::StopPlanes& stop_planes() const { return planes_; }
 
  private:
-  StopPlanes planes_{Base::grid()};
+  detail::StopPlanes planes_{Base::grid()};
 };
 
 template <class Base>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tutavia/grid/cell_costs.hpp"
-#include "tutavia/search/query.hpp"
+#include "tutavia/plan/query.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file

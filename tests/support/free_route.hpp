@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tutavia/search/route.hpp"
+#include "tutavia/plan/route.hpp"
 
 /// \file
 /// Whether a route keeps to free space.

@@ -10,7 +10,7 @@
 #include "support/catch.hpp"
 #include "support/skip.hpp"
 #include "tutavia/io/moving_ai.hpp"
-#include "tutavia/search/query.hpp"
+#include "tutavia/plan/query.hpp"
 #include "tutavia/space/cell_space.hpp"
 
 /// \file

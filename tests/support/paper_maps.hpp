@@ -10,7 +10,7 @@
 
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/grid/safety_buffer.hpp"
-#include "tutavia/search/query.hpp"
+#include "tutavia/plan/query.hpp"
 #include "tutavia/space/cell_space.hpp"
 
 /// \file

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "support/random_grids.hpp"
-#include "tutavia/search/query.hpp"
+#include "tutavia/plan/query.hpp"
 
 /// \file
 /// Questions on grids.

@@ -6,9 +6,9 @@
 
 #include "support/contract.hpp"
 #include "tutavia/any_algorithm.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/query.hpp"
-#include "tutavia/search/route.hpp"
 #include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/inflated_space.hpp"
 #include "tutavia/space/lattice_space.hpp"

@@ -3,7 +3,7 @@
 
 #include "support/catch.hpp"
 #include "tutavia/certify/certify.hpp"
-#include "tutavia/pull/grid_nodes.hpp"
+#include "tutavia/smooth/route/grid_nodes.hpp"
 #include "tutavia/space/lattice_space.hpp"
 
 /// \file
@@ -25,7 +25,8 @@ struct TouchingRun {
 inline TouchingRun touching_run() {
   TouchingRun run;
   REQUIRE(certify(run.space, run.input).status == ProofStatus::proved);
-  REQUIRE(certify(run.space, split_at_nodes(run.space, run.input)).status != ProofStatus::proved);
+  REQUIRE(certify(run.space, detail::split_at_nodes(run.space, run.input)).status !=
+          ProofStatus::proved);
   return run;
 }
 

@@ -14,7 +14,7 @@
 #include "support/tree_invariants.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/search/rrt_connect.hpp"
-#include "tutavia/search/tree_growth.hpp"
+#include "tutavia/search/tree/tree_growth.hpp"
 #include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/inflated_space.hpp"
 #include "tutavia/world/maps.hpp"
@@ -24,12 +24,14 @@
 
 namespace tutavia::test {
 
-inline void check_trees(const TreeScratch& scratch) { check_tree(scratch.tree); }
+inline void check_trees(const detail::TreeScratch& scratch) { check_tree(scratch.tree); }
 inline void check_trees(const TwoTreesScratch& scratch) {
   check_tree(scratch.from_start);
   check_tree(scratch.from_goal);
 }
-inline std::uint64_t fingerprint(const TreeScratch& scratch) { return fingerprint(scratch.tree); }
+inline std::uint64_t fingerprint(const detail::TreeScratch& scratch) {
+  return fingerprint(scratch.tree);
+}
 inline std::uint64_t fingerprint(const TwoTreesScratch& scratch) {
   return fingerprint(scratch.from_start) ^ fingerprint(scratch.from_goal) << 1;
 }

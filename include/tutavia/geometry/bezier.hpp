@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "tutavia/geometry/box.hpp"
-#include "tutavia/geometry/nearest_place.hpp"
+#include "tutavia/geometry/numeric/closest_parameter.hpp"
+#include "tutavia/geometry/numeric/quadrature.hpp"
 #include "tutavia/geometry/point.hpp"
-#include "tutavia/geometry/quadrature.hpp"
 
 /// \file
 /// Quadratic and cubic Bezier pieces.
@@ -188,7 +188,8 @@ struct Bezier {
     const double polygon = polygon_length();
     if (!(polygon > tolerance) || halvings == 0 || !is_finite()) return polygon;
     if (is_gentle()) {
-      return integrate([this](double s) { return derivative(s).norm(); }, 0, 1, 1e-13 * polygon);
+      return detail::integrate([this](double s) { return derivative(s).norm(); }, 0, 1,
+                               1e-13 * polygon);
     }
     const auto [left, right] = halves();
     return left.length_within(tolerance, halvings - 1) +

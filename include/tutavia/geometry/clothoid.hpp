@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "tutavia/geometry/box.hpp"
-#include "tutavia/geometry/nearest_place.hpp"
+#include "tutavia/geometry/numeric/closest_parameter.hpp"
+#include "tutavia/geometry/numeric/quadrature.hpp"
 #include "tutavia/geometry/point.hpp"
-#include "tutavia/geometry/quadrature.hpp"
 
 /// \file
 /// Clothoid: a piece whose curvature grows evenly along it.

@@ -10,8 +10,8 @@
 #include "tutavia/geometry/arc.hpp"
 #include "tutavia/geometry/bezier.hpp"
 #include "tutavia/geometry/clothoid.hpp"
+#include "tutavia/geometry/numeric/polynomial.hpp"
 #include "tutavia/geometry/point.hpp"
-#include "tutavia/geometry/polynomial.hpp"
 #include "tutavia/geometry/segment.hpp"
 
 /// \file

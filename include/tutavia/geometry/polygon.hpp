@@ -141,7 +141,7 @@ inline bool is_simple(const Polygon& polygon) {
 /// Whether the point midway between u and v, computed exactly, lies in the solid part of the
 /// polygon and on none of its edges.
 inline bool contains_midpoint(const Polygon& polygon, const Point& u, const Point& v) {
-  using Number = ExactNumber;
+  using Number = detail::ExactNumber;
   const Number x = Number(u.x()) + v.x(), y = Number(u.y()) + v.y();  // twice the point
   bool on_edge = false;
   const auto winding = [&](const Ring& ring) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tutavia/geometry/exact_number.hpp"
+#include "tutavia/geometry/numeric/exact_number.hpp"
 #include "tutavia/geometry/point.hpp"
 
 /// \file
@@ -53,7 +53,7 @@ inline bool segments_intersect(const Point& a, const Point& b, const Point& c, c
 /// \pre `radius` and `margin` are not negative
 inline int compare_distance(const Point& p, const Point& a, const Point& b, double radius,
                             double margin) {
-  using Number = ExactNumber;
+  using Number = detail::ExactNumber;
   const Number limit = Number(radius) + margin;
   const auto compare_points = [&](const Point& q) {
     const Number dx = Number(p.x()) - q.x(), dy = Number(p.y()) - q.y();

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "tutavia/grid/bits.hpp"
+#include "tutavia/grid/bitboard/bits.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file

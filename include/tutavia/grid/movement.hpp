@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -46,13 +45,6 @@ constexpr Cost octile_cost(Cell a, Cell b) {
   const Cost dx = a.x < b.x ? Cost{b.x} - a.x : Cost{a.x} - b.x;
   const Cost dy = a.y < b.y ? Cost{b.y} - a.y : Cost{a.y} - b.y;
   return straight_cost * std::max(dx, dy) + (diagonal_cost - straight_cost) * std::min(dx, dy);
-}
-
-/// Cost of the straight line between two cells' reference points, rounded up.
-inline Cost euclidean_cost(Cell a, Cell b) {
-  const double dx = double{1} * a.x - b.x, dy = double{1} * a.y - b.y;
-  return static_cast<Cost>(
-      std::ceil(static_cast<double>(straight_cost) * std::sqrt(dx * dx + dy * dy)));
 }
 
 }  // namespace tutavia

@@ -8,17 +8,22 @@
 #include <string>
 #include <vector>
 
-#include "tutavia/core/compiler.hpp"
-#include "tutavia/core/error.hpp"
-#include "tutavia/grid/bits.hpp"
+#include "tutavia/core/parts/compiler.hpp"
+#include "tutavia/grid/bitboard/bits.hpp"
+#include "tutavia/grid/bitboard/successors.hpp"
 #include "tutavia/grid/cell.hpp"
 #include "tutavia/grid/movement.hpp"
-#include "tutavia/grid/successors.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// OccupancyGrid: one bit per cell.
 
 namespace tutavia {
+
+class OccupancyGrid;
+namespace detail {
+OccupancyGrid transposed(const OccupancyGrid& grid);
+}  // namespace detail
 
 /// A width x height grid of free and blocked cells, one bit each in 64-bit words, row by row.
 ///
@@ -46,14 +51,14 @@ class OccupancyGrid {
       return ((words[index / 64] >> (index % 64)) & 1u) != 0;
     }
     /// The eight neighbours of a cell. \pre the cell lies in the grid
-    TUTAVIA_ALWAYS_INLINE Neighbourhood neighbourhood(std::size_t index) const {
+    TUTAVIA_ALWAYS_INLINE detail::Neighbourhood neighbourhood(std::size_t index) const {
       const auto three = [this](std::size_t from) {
-        return static_cast<unsigned>(load_bits(words, from) & 7u);
+        return static_cast<unsigned>(detail::load_bits(words, from) & 7u);
       };
       const unsigned below = three(index - stride - 1), beside = three(index - 1),
                      above = three(index + stride - 1);
-      return static_cast<Neighbourhood>(below | (beside & 1u) << 3 | (beside & 4u) << 2 |
-                                        above << 5);
+      return static_cast<detail::Neighbourhood>(below | (beside & 1u) << 3 | (beside & 4u) << 2 |
+                                                above << 5);
     }
   };
 
@@ -132,10 +137,10 @@ class OccupancyGrid {
   /// none. \pre the row lies in the grid
   int run_end(int y, int x, bool free) const {
     while (x < width_) {
-      const std::uint64_t bits = load_bits(bits_.data(), index({x, y}));
+      const std::uint64_t bits = detail::load_bits(bits_.data(), index({x, y}));
       const int same = std::countr_one(free ? bits : ~bits);
-      if (same < static_cast<int>(loaded_bits)) return std::min(x + same, width_);
-      x += static_cast<int>(loaded_bits);
+      if (same < static_cast<int>(detail::loaded_bits)) return std::min(x + same, width_);
+      x += static_cast<int>(detail::loaded_bits);
     }
     return width_;
   }
@@ -175,7 +180,7 @@ class OccupancyGrid {
         reciprocal_(((std::uint64_t{1} << reciprocal_shift_) + words_per_row - 1) / words_per_row),
         bits_(words_per_row * (static_cast<std::size_t>(height) + 2) + 1, 0) {}
 
-  friend OccupancyGrid transposed(const OccupancyGrid& grid);
+  friend OccupancyGrid detail::transposed(const OccupancyGrid& grid);
 
   int width_;
   int height_;

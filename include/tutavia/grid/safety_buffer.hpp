@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// A buffer of cells round the blocked ones.

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "tutavia/core/error.hpp"
-#include "tutavia/io/fields_json.hpp"
-#include "tutavia/io/read_file.hpp"
+#include "tutavia/io/text/fields_json.hpp"
+#include "tutavia/io/text/read_file.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/world/scene.hpp"
 
 /// \file
@@ -110,13 +110,13 @@ class GeoJsonReader {
 /// `goals`, `resolution`; `bbox` gives the bounds. Where they are missing the bounds are empty and
 /// the radius is NaN, which no space accepts: set them before use. `invalid_input` as for
 /// `parse_scene_json`; obstacles are not validated before a space is built.
-inline Expected<SceneFile, Failure> parse_geo_json(std::string_view text) {
-  return json_fields::parse_json(text, detail::GeoJsonReader::read);
+inline Expected<detail::SceneFile, Failure> parse_geo_json(std::string_view text) {
+  return detail::json_fields::parse_json(text, detail::GeoJsonReader::read);
 }
 
 /// Reads a file with `parse_geo_json`; details begin with the file's name.
-inline Expected<SceneFile, Failure> read_geo_json(const std::filesystem::path& path) {
-  return read_file(path, parse_geo_json);
+inline Expected<detail::SceneFile, Failure> read_geo_json(const std::filesystem::path& path) {
+  return detail::read_file(path, parse_geo_json);
 }
 
 }  // namespace tutavia

@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/grid/cell.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
-#include "tutavia/io/read_file.hpp"
+#include "tutavia/io/text/read_file.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// Maps and scenarios of the MovingAI benchmarks (Sturtevant 2012, "Benchmarks for grid-based
@@ -238,13 +238,14 @@ inline Expected<void, Failure> check_scenario(std::span<const ScenarioRow> rows,
 /// `parse_moving_ai_map` of a file.
 inline Expected<OccupancyGrid, Failure> read_moving_ai_map(const std::filesystem::path& path,
                                                            const MovingAiOptions& options = {}) {
-  return read_file(path, [&](std::string_view text) { return parse_moving_ai_map(text, options); });
+  return detail::read_file(
+      path, [&](std::string_view text) { return parse_moving_ai_map(text, options); });
 }
 
 /// `parse_moving_ai_scenario` of a file.
 inline Expected<std::vector<ScenarioRow>, Failure> read_moving_ai_scenario(
     const std::filesystem::path& path) {
-  return read_file(path, parse_moving_ai_scenario);
+  return detail::read_file(path, parse_moving_ai_scenario);
 }
 
 }  // namespace tutavia

@@ -6,7 +6,7 @@
 #include <string>
 #include <type_traits>
 
-#include "tutavia/core/error.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/planner.hpp"
 
 /// \file

@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
-#include "tutavia/io/read_file.hpp"
+#include "tutavia/io/text/read_file.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// Maps of ROS: the YAML and PGM files of map_server and nav2_map_server, and nav2's costmaps.
@@ -391,9 +391,9 @@ inline Expected<RosMap, Failure> parse_ros_map(std::string_view yaml, std::strin
 /// `parse_ros_map` of a YAML file and the image that it names, looked for in the YAML file's folder
 /// unless its path is absolute. Details of failures begin with the file's name.
 inline Expected<RosMap, Failure> read_ros_map(const std::filesystem::path& yaml_path) {
-  const auto head = read_file(yaml_path, detail::read_ros<detail::RosYamlReader>);
+  const auto head = detail::read_file(yaml_path, detail::read_ros<detail::RosYamlReader>);
   if (!head) return Unexpected{head.error()};
-  const auto image = read_file(yaml_path.parent_path() / head->image, parse_pgm);
+  const auto image = detail::read_file(yaml_path.parent_path() / head->image, parse_pgm);
   if (!image) return Unexpected{image.error()};
   return detail::make_ros_map(*head, *image);
 }

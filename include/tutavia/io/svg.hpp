@@ -13,9 +13,9 @@
 #include <variant>
 #include <vector>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
-#include "tutavia/io/write_file.hpp"
+#include "tutavia/io/text/write_file.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/planner.hpp"
 #include "tutavia/world/workspace.hpp"
 
@@ -337,7 +337,7 @@ inline std::string to_svg(const Workspace& workspace, std::span<const Plan> plan
 inline Expected<void, Failure> write_svg(const std::filesystem::path& path,
                                          const Workspace& workspace, std::span<const Plan> plans,
                                          const SvgOptions& options = {}) {
-  return write_file(path, to_svg(workspace, plans, options));
+  return detail::write_file(path, to_svg(workspace, plans, options));
 }
 
 inline Expected<void, Failure> write_svg(const std::filesystem::path& path,

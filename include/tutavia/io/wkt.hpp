@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/polygon.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/world/workspace.hpp"
 
 /// \file

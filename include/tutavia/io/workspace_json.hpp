@@ -10,9 +10,9 @@
 #include <utility>
 #include <variant>
 
-#include "tutavia/core/error.hpp"
-#include "tutavia/io/fields_json.hpp"
-#include "tutavia/io/read_file.hpp"
+#include "tutavia/io/text/fields_json.hpp"
+#include "tutavia/io/text/read_file.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/world/scene.hpp"
 
 /// \file
@@ -76,16 +76,16 @@ inline SceneFile read_scene(const nlohmann::json& json) {
 /// are ignored, with a warning each for those at top level. `invalid_input` with line and column
 /// for malformed JSON, with the field for a value of the wrong kind, and with what `validate`
 /// finds.
-inline Expected<SceneFile, Failure> parse_scene_json(std::string_view text) {
-  auto file = json_fields::parse_json(text, detail::read_scene);
+inline Expected<detail::SceneFile, Failure> parse_scene_json(std::string_view text) {
+  auto file = detail::json_fields::parse_json(text, detail::read_scene);
   if (!file) return file;
   if (const auto valid = validate(file->scene.workspace); !valid) return Unexpected{valid.error()};
   return file;
 }
 
 /// Reads a file with `parse_scene_json`; details begin with the file's name.
-inline Expected<SceneFile, Failure> read_scene_json(const std::filesystem::path& path) {
-  return read_file(path, parse_scene_json);
+inline Expected<detail::SceneFile, Failure> read_scene_json(const std::filesystem::path& path) {
+  return detail::read_file(path, parse_scene_json);
 }
 
 /// A scene as JSON that `parse_scene_json` reads back to the same scene.

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "tutavia/core/assert.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
-#include "tutavia/motion/drive_phases.hpp"
-#include "tutavia/motion/eased_drive.hpp"
+#include "tutavia/motion/profile/jerk_limited.hpp"
+#include "tutavia/motion/profile/trapezoidal.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// SpeedProfile: how fast to drive along a curve within limits.
@@ -81,18 +81,18 @@ class SpeedProfile {
   /// A part of the way from one stop to the next.
   struct Leg {
     double time;  // at its start
-    EasedDrive drive;
+    detail::EasedDrive drive;
   };
 
   static const char* invalid_option(const SpeedLimits& limits);
-  static std::vector<SpeedStretch> intervals(const Curve& curve, const SpeedLimits& limits);
+  static std::vector<detail::SpeedStretch> intervals(const Curve& curve, const SpeedLimits& limits);
   /// Squares of the speed limits where intervals meet and at both ends.
   static std::vector<double> joint_limits(const Curve& curve, const SpeedLimits& limits,
-                                          const std::vector<SpeedStretch>& intervals);
+                                          const std::vector<detail::SpeedStretch>& intervals);
   /// False where it cannot brake from the start speed.
-  bool add_legs(std::span<const SpeedStretch> stretches, std::span<const double> joint_limits,
-                const SpeedLimits& limits);
-  DriveState state_at(double time) const;
+  bool add_legs(std::span<const detail::SpeedStretch> stretches,
+                std::span<const double> joint_limits, const SpeedLimits& limits);
+  detail::DriveState state_at(double time) const;
 
   /// Pieces along which the curvature changes are cut into several intervals.
   template <class P>
@@ -102,8 +102,8 @@ class SpeedProfile {
 
   Curve curve_;
   double duration_ = 0;
-  DrivePhases phases_;     // without a limit of jerk
-  std::vector<Leg> legs_;  // with one
+  detail::DrivePhases phases_;  // without a limit of jerk
+  std::vector<Leg> legs_;       // with one
 };
 
 inline const char* SpeedProfile::invalid_option(const SpeedLimits& limits) {
@@ -120,9 +120,9 @@ inline const char* SpeedProfile::invalid_option(const SpeedLimits& limits) {
   return nullptr;
 }
 
-inline std::vector<SpeedStretch> SpeedProfile::intervals(const Curve& curve,
-                                                         const SpeedLimits& limits) {
-  std::vector<SpeedStretch> result;
+inline std::vector<detail::SpeedStretch> SpeedProfile::intervals(const Curve& curve,
+                                                                 const SpeedLimits& limits) {
+  std::vector<detail::SpeedStretch> result;
   const auto add = [&](double length, double curvature) {
     result.push_back({length, std::min(limits.speed * limits.speed, limits.lateral / curvature)});
   };
@@ -139,9 +139,10 @@ inline std::vector<SpeedStretch> SpeedProfile::intervals(const Curve& curve,
   return result;
 }
 
-inline std::vector<double> SpeedProfile::joint_limits(const Curve& curve, const SpeedLimits& limits,
-                                                      const std::vector<SpeedStretch>& intervals) {
-  std::vector<double> squares = tutavia::joint_limits(intervals);
+inline std::vector<double> SpeedProfile::joint_limits(
+    const Curve& curve, const SpeedLimits& limits,
+    const std::vector<detail::SpeedStretch>& intervals) {
+  std::vector<double> squares = tutavia::detail::joint_limits(intervals);
   squares.back() = std::min(squares.back(), limits.end_speed * limits.end_speed);
   Point before = Point::Zero();
   std::size_t at = 0;
@@ -164,14 +165,14 @@ inline std::vector<double> SpeedProfile::joint_limits(const Curve& curve, const 
 inline Expected<SpeedProfile, Failure> SpeedProfile::build(Curve curve, const SpeedLimits& limits) {
   if (const char* option = invalid_option(limits)) return fail(PlanError::invalid_option, option);
   if (curve.empty()) return fail(PlanError::invalid_input, "the curve is empty");
-  const std::vector<SpeedStretch> stretches = intervals(curve, limits);
-  for (const SpeedStretch& stretch : stretches) {
+  const std::vector<detail::SpeedStretch> stretches = intervals(curve, limits);
+  for (const detail::SpeedStretch& stretch : stretches) {
     if (stretch.length > 0 && !(stretch.limit > 0)) {
       return fail(PlanError::invalid_input, "the curve has a cusp, where nothing can follow it");
     }
   }
   const std::vector<double> most = joint_limits(curve, limits, stretches);
-  std::vector<double> squares = squares_to_brake_from(stretches, most, limits.braking);
+  std::vector<double> squares = detail::squares_to_brake_from(stretches, most, limits.braking);
   const double start = limits.start_speed * limits.start_speed;
   if (start > squares[0] * (1 + 1e-12)) {
     return fail(PlanError::invalid_option, "start_speed is too high to brake from: at most " +
@@ -190,7 +191,7 @@ inline Expected<SpeedProfile, Failure> SpeedProfile::build(Curve curve, const Sp
   return profile;
 }
 
-inline bool SpeedProfile::add_legs(std::span<const SpeedStretch> stretches,
+inline bool SpeedProfile::add_legs(std::span<const detail::SpeedStretch> stretches,
                                    std::span<const double> joint_limits,
                                    const SpeedLimits& limits) {
   double s = 0, length = 0;
@@ -199,12 +200,12 @@ inline bool SpeedProfile::add_legs(std::span<const SpeedStretch> stretches,
     const bool is_last = i + 1 == stretches.size();
     if (!is_last && joint_limits[i + 1] > 0) continue;
     if (length > 0) {
-      auto drive = EasedDrive::over(stretches.subspan(first, i + 1 - first), s,
-                                    {.acceleration = limits.acceleration,
-                                     .braking = limits.braking,
-                                     .jerk = limits.jerk,
-                                     .start_speed = s == 0 ? limits.start_speed : 0,
-                                     .end_speed = is_last ? limits.end_speed : 0});
+      auto drive = detail::EasedDrive::over(stretches.subspan(first, i + 1 - first), s,
+                                            {.acceleration = limits.acceleration,
+                                             .braking = limits.braking,
+                                             .jerk = limits.jerk,
+                                             .start_speed = s == 0 ? limits.start_speed : 0,
+                                             .end_speed = is_last ? limits.end_speed : 0});
       if (!drive) return false;
       legs_.push_back({duration_, std::move(*drive)});
       duration_ += legs_.back().drive.duration();
@@ -216,7 +217,7 @@ inline bool SpeedProfile::add_legs(std::span<const SpeedStretch> stretches,
   return true;
 }
 
-inline DriveState SpeedProfile::state_at(double time) const {
+inline detail::DriveState SpeedProfile::state_at(double time) const {
   if (legs_.empty()) return phases_.at(time);
   const auto after = std::upper_bound(legs_.begin() + 1, legs_.end(), time,
                                       [](double t, const Leg& leg) { return t < leg.time; });
@@ -227,7 +228,7 @@ inline DriveState SpeedProfile::state_at(double time) const {
 inline TimedPoint SpeedProfile::at(double time) const {
   TimedPoint point;
   point.time = std::clamp(time, 0.0, duration());
-  const DriveState state = state_at(point.time);
+  const detail::DriveState state = state_at(point.time);
   // What the intervals add up to may differ from the length by rounding.
   point.s = time >= duration() ? curve_.length() : std::min(state.s, curve_.length());
   point.speed = state.speed;

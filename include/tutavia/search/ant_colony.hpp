@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/core/parts/zeroed_array.hpp"
 #include "tutavia/core/random.hpp"
-#include "tutavia/core/zeroed_array.hpp"
-#include "tutavia/grid/successors.hpp"
+#include "tutavia/grid/bitboard/successors.hpp"
+#include "tutavia/plan/query.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/linked_query.hpp"
-#include "tutavia/search/query.hpp"
+#include "tutavia/search/grid/grid_query.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -240,15 +240,15 @@ template <GridSpace S, Observer O>
 Expected<Route, Failure> AntColony::search(const S& space, const Query& query, Scratch& scratch,
                                            O& observer) const {
   if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
-  return search_grid(space, query, scratch.cells,
-                     [&](const LinkedQuery& linked, std::vector<Cell>& cells,
-                         Statistics& stats) -> std::optional<Failure> {
-                       detail::Colony<S, O> colony(*this, space, query, linked, scratch, observer,
-                                                   stats);
-                       if (auto failure = colony.run()) return failure;
-                       colony.path(cells);
-                       return std::nullopt;
-                     });
+  return detail::search_grid(space, query, scratch.cells,
+                             [&](const detail::LinkedQuery& linked, std::vector<Cell>& cells,
+                                 Statistics& stats) -> std::optional<Failure> {
+                               detail::Colony<S, O> colony(*this, space, query, linked, scratch,
+                                                           observer, stats);
+                               if (auto failure = colony.run()) return failure;
+                               colony.path(cells);
+                               return std::nullopt;
+                             });
 }
 
 }  // namespace tutavia

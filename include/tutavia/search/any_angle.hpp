@@ -6,14 +6,14 @@
 #include <string_view>
 #include <utility>
 
+#include "tutavia/grid/bitboard/free_runs.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/interval_search.hpp"
+#include "tutavia/search/mesh/polyanya.hpp"
 #include "tutavia/search/navigation_mesh.hpp"
-#include "tutavia/search/query.hpp"
 #include "tutavia/search/query_checks.hpp"
-#include "tutavia/search/route.hpp"
 #include "tutavia/space/cell_space.hpp"
-#include "tutavia/space/row_runs.hpp"
 
 /// \file
 /// AnyAngle: the shortest path of a point among blocked cells.
@@ -37,7 +37,7 @@ namespace tutavia {
 /// (Polyanya).
 struct AnyAngle {
   static constexpr std::string_view name = "any_angle";
-  using Scratch = IntervalScratch;
+  using Scratch = detail::IntervalScratch;
   using Prepared = NavigationMesh;
 
   std::shared_ptr<const NavigationMesh> mesh{};  ///< none: rows are looked at as they come
@@ -56,7 +56,8 @@ struct AnyAngle {
       return fail(PlanError::invalid_option, "any_angle is defined for safety radius 0");
     }
     if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
-    if (mesh == nullptr) return search_in(RowRuns(space.cells()), space, query, scratch, observer);
+    if (mesh == nullptr)
+      return search_in(detail::RowRuns(space.cells()), space, query, scratch, observer);
     if (mesh->width() != space.cells().width() || mesh->height() != space.cells().height()) {
       return fail(PlanError::invalid_option, "any_angle needs the mesh prepared for this grid");
     }

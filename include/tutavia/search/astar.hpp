@@ -5,10 +5,10 @@
 #include <string_view>
 
 #include "tutavia/grid/cell_costs.hpp"
-#include "tutavia/search/goal_estimate.hpp"
-#include "tutavia/search/grid_graph.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/grid_graph.hpp"
+#include "tutavia/search/grid/grid_search.hpp"
 #include "tutavia/search/heuristic.hpp"
-#include "tutavia/search/wave_search.hpp"
 
 /// \file
 /// A*: a cheapest path on a grid, guided by a heuristic.
@@ -18,8 +18,8 @@ namespace tutavia {
 /// Memory of A* and Dijkstra's algorithm: of one wave, and of the general search for cell costs and
 /// other heuristics.
 struct AStarScratch {
-  WaveScratch wave;
-  GridGraphScratch graph;
+  detail::WaveScratch wave;
+  detail::GridGraphScratch graph;
 };
 
 namespace detail {
@@ -58,21 +58,23 @@ struct AStar {
                                   O& observer) const {
     if (auto failure = detail::check_costs(space, costs)) return Unexpected{std::move(*failure)};
     if (costs != nullptr) {
-      return graph_search(space, query, scratch.graph, observer, *costs,
-                          [this](const LinkedQuery& linked) {
-                            return [estimate = GoalEstimate(heuristic, linked)](Cell cell) {
-                              return CellCosts::scale * estimate(cell);
-                            };
-                          });
+      return detail::graph_search(
+          space, query, scratch.graph, observer, *costs, [this](const detail::LinkedQuery& linked) {
+            return [estimate = detail::GoalEstimate(heuristic, linked)](Cell cell) {
+              return CellCosts::scale * estimate(cell);
+            };
+          });
     }
     if (heuristic != Heuristic::octile) {
-      return graph_search(
-          space, query, scratch.graph, observer, PlainPrices{},
-          [this](const LinkedQuery& linked) { return GoalEstimate(heuristic, linked); });
+      return detail::graph_search(space, query, scratch.graph, observer, detail::PlainPrices{},
+                                  [this](const detail::LinkedQuery& linked) {
+                                    return detail::GoalEstimate(heuristic, linked);
+                                  });
     }
-    return wave_search<false>(space, query, scratch.wave, observer, [](const LinkedQuery& linked) {
-      return OctileHeuristic{linked.goal_cell, linked.goal_offset};
-    });
+    return detail::wave_search<false>(
+        space, query, scratch.wave, observer, [](const detail::LinkedQuery& linked) {
+          return detail::OctileHeuristic{linked.goal_cell, linked.goal_offset};
+        });
   }
 };
 

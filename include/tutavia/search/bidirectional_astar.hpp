@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "tutavia/search/goal_estimate.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/grid_search.hpp"
 #include "tutavia/search/query_checks.hpp"
-#include "tutavia/search/wave_search.hpp"
 
 /// \file
 /// Bidirectional A*.
@@ -24,18 +24,18 @@ namespace tutavia {
 struct BidirectionalAStar {
   static constexpr std::string_view name = "bidirectional_astar";
   struct Scratch {
-    GridWaveScratch forward, backward;
+    detail::GridWaveScratch forward, backward;
     std::vector<Cell> cells, half;
   };
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    const auto run = [&](const LinkedQuery& there, std::vector<Cell>& cells,
+    const auto run = [&](const detail::LinkedQuery& there, std::vector<Cell>& cells,
                          Statistics& stats) -> std::optional<Failure> {
-      using Wave = GridWave<false, OctileHeuristic, O>;
+      using Wave = detail::GridWave<false, detail::OctileHeuristic, O>;
       const OccupancyGrid& grid = space.grid();
-      const LinkedQuery back = there.reversed();
+      const detail::LinkedQuery back = there.reversed();
       Wave forward(grid, space.movement(), space.frame(), {there.goal_cell, there.goal_offset},
                    there.starts, scratch.forward, observer);
       Wave backward(grid, space.movement(), space.frame(), {back.goal_cell, back.goal_offset},
@@ -74,7 +74,7 @@ struct BidirectionalAStar {
       cells.insert(cells.end(), scratch.half.begin() + 1, scratch.half.end());
       return std::nullopt;
     };
-    return search_grid(space, query, scratch.cells, run);
+    return detail::search_grid(space, query, scratch.cells, run);
   }
 };
 

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "tutavia/search/goal_estimate.hpp"
-#include "tutavia/search/wave_search.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/grid_search.hpp"
 
 /// \file
 /// Canonical A*: A* that generates each of many equal paths once.
@@ -16,14 +16,15 @@ namespace tutavia {
 /// and errors as for AStar. Source: Sturtevant and Rabin 2016, "Canonical orderings on grids".
 struct CanonicalAStar {
   static constexpr std::string_view name = "canonical_astar";
-  using Scratch = WaveScratch;
+  using Scratch = detail::WaveScratch;
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    return wave_search<true>(space, query, scratch, observer, [](const LinkedQuery& linked) {
-      return OctileHeuristic{linked.goal_cell, linked.goal_offset};
-    });
+    return detail::wave_search<true>(
+        space, query, scratch, observer, [](const detail::LinkedQuery& linked) {
+          return detail::OctileHeuristic{linked.goal_cell, linked.goal_offset};
+        });
   }
 };
 

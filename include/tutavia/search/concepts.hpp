@@ -4,13 +4,13 @@
 #include <concepts>
 #include <string_view>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/geometry/segment.hpp"
-#include "tutavia/search/query.hpp"
-#include "tutavia/search/route.hpp"
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
 
 /// \file
 /// What a search algorithm is.

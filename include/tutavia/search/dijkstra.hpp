@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "tutavia/search/astar.hpp"
-#include "tutavia/search/goal_estimate.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
 
 /// \file
 /// Dijkstra's algorithm: a cheapest path on a grid, found without a heuristic.
@@ -27,11 +27,13 @@ struct Dijkstra {
                                   O& observer) const {
     if (auto failure = detail::check_costs(space, costs)) return Unexpected{std::move(*failure)};
     if (costs != nullptr) {
-      return graph_search(space, query, scratch.graph, observer, *costs,
-                          [](const LinkedQuery&) { return ZeroHeuristic{}; });
+      return detail::graph_search(
+          space, query, scratch.graph, observer, *costs,
+          [](const detail::LinkedQuery&) { return detail::ZeroHeuristic{}; });
     }
-    return wave_search<false>(space, query, scratch.wave, observer,
-                              [](const LinkedQuery&) { return ZeroHeuristic{}; });
+    return detail::wave_search<false>(
+        space, query, scratch.wave, observer,
+        [](const detail::LinkedQuery&) { return detail::ZeroHeuristic{}; });
   }
 };
 

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "tutavia/search/goal_estimate.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/grid_search.hpp"
 #include "tutavia/search/query_checks.hpp"
-#include "tutavia/search/wave_search.hpp"
 
 /// \file
 /// FlowField: the way to the nearest goal from everywhere.
@@ -32,22 +32,23 @@ class FlowField {
                                             const Budget& budget = {}) {
     if (goals.empty()) return fail(PlanError::invalid_input, "no goals");
     FlowField field;
-    std::vector<CellLink> seeds;
+    std::vector<detail::CellLink> seeds;
     for (const Point& goal : goals) {
       if (auto failure = check_endpoint(space, goal, false)) return Unexpected{*failure};
-      const CellLinks links(space.links(goal), space.frame().resolution);
+      const detail::CellLinks links(space.links(goal), space.frame().resolution);
       if (links.size() == 0) {
         return fail(PlanError::goal_blocked, "a goal has no link to the grid at this resolution");
       }
-      for (const CellLink& link : links) {
+      for (const detail::CellLink& link : links) {
         seeds.push_back(link);
         field.ends_.push_back({link, goal});
       }
     }
     NoObserver nobody;
-    GridWaveScratch scratch;
-    GridWave<true, ZeroHeuristic, NoObserver> wave(space.grid(), space.movement(), space.frame(),
-                                                   ZeroHeuristic{}, seeds, scratch, nobody);
+    detail::GridWaveScratch scratch;
+    detail::GridWave<true, detail::ZeroHeuristic, NoObserver> wave(
+        space.grid(), space.movement(), space.frame(), detail::ZeroHeuristic{}, seeds, scratch,
+        nobody);
     typename decltype(wave)::Popped popped;
     while (wave.pop(std::numeric_limits<Cost>::max(), popped)) {
       if (detail::is_checked(budget, wave.expanded())) {
@@ -71,7 +72,7 @@ class FlowField {
   template <GridSpace S>
   double cost(const S& space, Cell cell) const {
     if (!reached(space, cell)) return std::numeric_limits<double>::infinity();
-    return in_metres(labels_.view().g(space.grid().index(cell)), space.frame().resolution);
+    return detail::in_metres(labels_.view().g(space.grid().index(cell)), space.frame().resolution);
   }
 
   /// The path from a point to the nearest goal. Errors as for a query.
@@ -79,10 +80,10 @@ class FlowField {
   Expected<Route, Failure> path(const S& space, const Point& start) const {
     if (auto failure = check_endpoint(space, start, true)) return Unexpected{*failure};
     const Frame& frame = space.frame();
-    const GridLabels::View labels = labels_.view();
+    const detail::GridLabels::View labels = labels_.view();
     Cost best = std::numeric_limits<Cost>::max();
     Cell first;
-    for (const auto& [cell, cost] : CellLinks(space.links(start), frame.resolution)) {
+    for (const auto& [cell, cost] : detail::CellLinks(space.links(start), frame.resolution)) {
       const std::size_t index = space.grid().index(cell);
       if (!labels.reached(index) || labels.g(index) + cost >= best) continue;
       best = labels.g(index) + cost;
@@ -132,13 +133,13 @@ class FlowField {
 
  private:
   struct End {
-    CellLink link;
+    detail::CellLink link;
     Point goal;
   };
 
   FlowField() = default;
 
-  GridLabels labels_;
+  detail::GridLabels labels_;
   std::vector<End> ends_;
   Statistics stats_;
 };

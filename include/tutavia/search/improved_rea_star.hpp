@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "tutavia/geometry/pull_through.hpp"
-#include "tutavia/pull/remove_redundant.hpp"
-#include "tutavia/search/rectangle_waves.hpp"
+#include "tutavia/core/parts/remove_redundant.hpp"
+#include "tutavia/geometry/tangent/funnel.hpp"
+#include "tutavia/search/rectangle/bidirectional_rectangles.hpp"
 
 /// \file
 /// Improved REA*: rectangle expansion from both ends, evaluated at the middles of passages.
@@ -195,7 +195,7 @@ struct ImprovedReaStar {
           detail::append_corners(rails, cells);
           if (!funnel) return;
           std::vector<Cell> pulled = detail::pulled_path(rails, joint);
-          remove_redundant(pulled, [&](Cell a, Cell b) { return space.sees(a, b); });
+          detail::remove_redundant(pulled, [&](Cell a, Cell b) { return space.sees(a, b); });
           if (detail::path_length(pulled) < detail::path_length(cells)) cells = std::move(pulled);
         });
   }

@@ -9,10 +9,10 @@
 #include <string_view>
 
 #include "tutavia/core/random.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/optimal_tree.hpp"
-#include "tutavia/search/query.hpp"
-#include "tutavia/search/route.hpp"
+#include "tutavia/search/tree/rewired_tree.hpp"
 
 /// \file
 /// InformedRrtStar: RRT* that samples where its path can still get shorter.
@@ -28,13 +28,13 @@ namespace tutavia {
 /// heuristic".
 struct InformedRrtStar {
   static constexpr std::string_view name = "informed_rrt_star";
-  using Scratch = OptimalTreeScratch;
+  using Scratch = detail::OptimalTreeScratch;
 
   /// Longest step [m], at most the diagonal of the bounds; none: a 25th of their longer side.
   std::optional<double> step{};
   double goal_bias = 0.05;  ///< share of iterations that grow towards the goal until it is reached
   std::uint32_t iterations = 3000;
-  Neighbours neighbours = Neighbours::k_nearest;
+  detail::Neighbours neighbours = detail::Neighbours::k_nearest;
   double rewire_factor = 1.1;  ///< theory wants more than 1
 
   template <FreeSpace S, Observer O = NoObserver>

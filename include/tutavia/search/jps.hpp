@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "tutavia/grid/stop_planes.hpp"
-#include "tutavia/search/jump_search.hpp"
+#include "tutavia/grid/bitboard/stop_planes.hpp"
+#include "tutavia/search/grid/jump_search.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -17,14 +17,14 @@ namespace tutavia {
 /// Scans for jump points in the stop planes of a grid (see JumpScanner).
 struct PlaneScanner {
   OccupancyGrid::View grid;
-  const StopPlanes& planes;
+  const detail::StopPlanes& planes;
 
   template <std::size_t Step>
   int straight(Cell from) const {
     return straight<Step>(planes.place(from));
   }
   template <std::size_t Step>
-  int straight(const StopPlanes::Place& from) const {
+  int straight(const detail::StopPlanes::Place& from) const {
     const int distance = planes.template jump<Step>(from);
     const auto steps_on = static_cast<std::size_t>(distance);
     const std::size_t stop = Step == 0   ? from.in_rows + steps_on
@@ -43,7 +43,7 @@ struct PlaneScanner {
     const std::size_t along_columns = by(d.x, planes.column_stride()) + by(d.y, 1);
     // After so many steps the goal's row and column are met.
     const int at_row = (goal.y - from.y) * d.y, at_column = (goal.x - from.x) * d.x;
-    StopPlanes::Place at = planes.place(from);
+    detail::StopPlanes::Place at = planes.place(from);
     for (int k = 1; grid.is_free(at.in_rows + beside_x) && grid.is_free(at.in_rows + beside_y) &&
                     grid.is_free(at.in_rows + beside_x + beside_y);
          ++k) {
@@ -63,14 +63,14 @@ struct PlaneScanner {
 /// 2014, "Improving jump point search" (diagonal jump points pruned).
 struct Jps {
   static constexpr std::string_view name = "jps";
-  using Scratch = JumpScratch;
+  using Scratch = detail::JumpScratch;
 
   template <JumpSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
     if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
     const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
-    return jump_search(space, query, scanner, scratch, observer);
+    return detail::jump_search(space, query, scanner, scratch, observer);
   }
 };
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "tutavia/core/compiler.hpp"
-#include "tutavia/search/jump_search.hpp"
+#include "tutavia/core/parts/compiler.hpp"
+#include "tutavia/search/grid/jump_search.hpp"
 #include "tutavia/search/jump_table.hpp"
 #include "tutavia/search/query_checks.hpp"
 
@@ -23,7 +23,7 @@ namespace tutavia {
 /// (ask `JumpTable::matches`). Source: Harabor and Grastien 2014, "Improving jump point search".
 struct JpsPlus {
   static constexpr std::string_view name = "jps_plus";
-  using Scratch = JumpScratch;
+  using Scratch = detail::JumpScratch;
   using Prepared = JumpTable;
 
   std::shared_ptr<const JumpTable> table{};
@@ -44,14 +44,14 @@ struct JpsPlus {
         table->height() != space.grid().height()) {
       return fail(PlanError::invalid_option, "jps_plus needs the table prepared for this grid");
     }
-    return jump_search(space, query, TableScanner{*table}, scratch, observer);
+    return detail::jump_search(space, query, TableScanner{*table}, scratch, observer);
   }
 
  private:
   struct TableScanner {
     const JumpTable& table;
 
-    void prefetch(Cell cell) const { tutavia::prefetch(&table.row(cell)); }
+    void prefetch(Cell cell) const { tutavia::detail::prefetch(&table.row(cell)); }
 
     template <std::size_t Step>
     int straight(Cell from) const {

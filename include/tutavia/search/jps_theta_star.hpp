@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "tutavia/pull/remove_redundant.hpp"
+#include "tutavia/core/parts/remove_redundant.hpp"
+#include "tutavia/search/grid/binary_heap.hpp"
 #include "tutavia/search/jps.hpp"
-#include "tutavia/search/jump_heap.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -36,7 +36,7 @@ enum class SightUse {
 /// Theta*"; its text describes lines of sight after the search, its name those of Theta* during it.
 struct JpsThetaStar {
   static constexpr std::string_view name = "jps_theta_star";
-  using Scratch = JumpScratchWith<JumpHeap>;
+  using Scratch = detail::JumpScratchWith<detail::JumpHeap>;
 
   double far_weight = 2.0;
   double near_weight = 0.8;
@@ -55,19 +55,19 @@ struct JpsThetaStar {
     const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
     const auto straighten = [&](std::vector<Cell>& cells) {
       if (lines_of_sight == SightUse::never) return;
-      remove_redundant(cells, [&](Cell a, Cell b) { return space.sees(a, b); });
+      detail::remove_redundant(cells, [&](Cell a, Cell b) { return space.sees(a, b); });
     };
     if (lines_of_sight == SightUse::in_search) {
-      return jump_search(
+      return detail::jump_search(
           space, query, scanner,
-          [&](const LinkedQuery& linked) {
+          [&](const detail::LinkedQuery& linked) {
             return SeeingGuide<S>{{*this, linked.goal_cell}, space};
           },
           scratch, observer, straighten);
     }
-    return jump_search(
+    return detail::jump_search(
         space, query, scanner,
-        [&](const LinkedQuery& linked) {
+        [&](const detail::LinkedQuery& linked) {
           return Guide{*this, linked.goal_cell};
         },
         scratch, observer, straighten);
@@ -75,7 +75,7 @@ struct JpsThetaStar {
 
  private:
   struct Guide {
-    using Open = JumpHeap;
+    using Open = detail::JumpHeap;
 
     const JpsThetaStar& options;
     Cell goal;

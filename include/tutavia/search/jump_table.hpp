@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "tutavia/core/bytes.hpp"
-#include "tutavia/core/error.hpp"
+#include "tutavia/core/parts/bytes.hpp"
+#include "tutavia/grid/bitboard/successors.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
-#include "tutavia/grid/successors.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// JumpTable: how far every jump of jump point search goes.
@@ -141,8 +141,8 @@ inline void JumpTable::fill(const OccupancyGrid& grid, int dy) {
     int right = 0, left = 0, upright = 0, diagonal_right = 0, diagonal_left = 0;
     StepSet successors = 0, stops = 0;
   };
-  const SuccessorTable& successors = all_successors(MovementRule::no_cut);
-  const SuccessorTable& stops = detail::jump_stops();
+  const detail::SuccessorTable& successors = detail::all_successors(MovementRule::no_cut);
+  const detail::SuccessorTable& stops = detail::jump_stops();
   const std::size_t upright = dy > 0 ? 2 : 6, right = dy > 0 ? 1 : 7, left = dy > 0 ? 3 : 5;
   const auto bit = [](StepSet set, std::size_t step) { return (set >> step) & 1; };
   // A cell's jump from that of the next cell: can_step ? (stop ? 1 : next and one more) : 0,
@@ -160,7 +160,7 @@ inline void JumpTable::fill(const OccupancyGrid& grid, int dy) {
     const int y = dy > 0 ? height_ - 1 - i : i;
     const std::size_t first = grid.index({0, y});
     for (std::size_t x = 1; x <= columns; ++x) {
-      const Neighbourhood around = grid.view().neighbourhood(first + x - 1);
+      const detail::Neighbourhood around = grid.view().neighbourhood(first + x - 1);
       now[x].successors = successors[around];
       now[x].stops = stops[around];
     }
@@ -196,9 +196,9 @@ inline void JumpTable::fill(const OccupancyGrid& grid, int dy) {
 inline std::string JumpTable::to_bytes() const {
   std::string bytes(detail::jump_table_magic);
   bytes.reserve(bytes.size() + 16 + memory());
-  append_bytes(bytes, static_cast<std::uint64_t>(width_), 4);
-  append_bytes(bytes, static_cast<std::uint64_t>(height_), 4);
-  append_bytes(bytes, grid_hash_, 8);
+  detail::append_bytes(bytes, static_cast<std::uint64_t>(width_), 4);
+  detail::append_bytes(bytes, static_cast<std::uint64_t>(height_), 4);
+  detail::append_bytes(bytes, grid_hash_, 8);
   for (const Row& row : rows_) {
     for (const std::int8_t jump : row) bytes += static_cast<char>(jump);
   }
@@ -213,9 +213,9 @@ inline Expected<JumpTable, Failure> JumpTable::from_bytes(std::string_view bytes
     return fail(PlanError::invalid_input, "not a jump table of this version");
   }
   JumpTable table(grid);
-  if (read_bytes(bytes, magic.size(), 4) != static_cast<std::uint64_t>(table.width_) ||
-      read_bytes(bytes, magic.size() + 4, 4) != static_cast<std::uint64_t>(table.height_) ||
-      read_bytes(bytes, magic.size() + 8, 8) != table.grid_hash_) {
+  if (detail::read_bytes(bytes, magic.size(), 4) != static_cast<std::uint64_t>(table.width_) ||
+      detail::read_bytes(bytes, magic.size() + 4, 4) != static_cast<std::uint64_t>(table.height_) ||
+      detail::read_bytes(bytes, magic.size() + 8, 8) != table.grid_hash_) {
     return fail(PlanError::invalid_input, "the jump table was made for another grid");
   }
   if (bytes.size() != head + table.memory()) {

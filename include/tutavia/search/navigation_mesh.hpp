@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "tutavia/core/assert.hpp"
-#include "tutavia/core/bytes.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/core/expected.hpp"
+#include "tutavia/core/parts/bytes.hpp"
 #include "tutavia/geometry/predicates.hpp"
-#include "tutavia/grid/constrained_delaunay.hpp"
-#include "tutavia/grid/corners.hpp"
+#include "tutavia/grid/corner_cells.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/search/mesh/constrained_delaunay.hpp"
 
 /// \file
 /// NavigationMesh: the free cells of a grid as few convex polygons, prepared.
@@ -37,7 +37,7 @@ class NavigationMesh {
   /// A polygon by its number.
   using Piece = std::uint32_t;
   static constexpr Piece none = std::numeric_limits<Piece>::max();
-  static constexpr int max_side = ConstrainedDelaunay::max_side - 2;
+  static constexpr int max_side = detail::ConstrainedDelaunay::max_side - 2;
 
   /// Takes O(n log n) for n corners in practice. `limit_exceeded` for grids of more than `max_side`
   /// cells a side or 2^28 walls.
@@ -176,7 +176,7 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
                                                " cells needed, " + std::to_string(max_side) +
                                                " a side allowed");
   }
-  using Index = ConstrainedDelaunay::Index;
+  using Index = detail::ConstrainedDelaunay::Index;
   // Corners along Morton's curve, so that each is near the one before.
   struct Vertex {
     std::uint64_t key;
@@ -205,7 +205,7 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
   for (const Wall& wall : walls) vertices.push_back({morton(wall.from), wall.from, 0});
   const auto by_key = [](const Vertex& a, const Vertex& b) { return a.key < b.key; };
   std::sort(vertices.begin(), vertices.end(), by_key);
-  ConstrainedDelaunay triangles({-1, -1}, {grid.width() + 1, grid.height() + 1});
+  detail::ConstrainedDelaunay triangles({-1, -1}, {grid.width() + 1, grid.height() + 1});
   for (Vertex& vertex : vertices) vertex.index = triangles.insert(vertex.corner);
   const auto index = [&](Cell corner) {
     const Vertex wanted{morton(corner), corner, 0};
@@ -220,15 +220,15 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
   std::vector<char> inside(count);
   std::vector<std::pair<std::int64_t, Index>> shared;
   for (Index e = 0; e < count; ++e) {
-    next[e] = ConstrainedDelaunay::next(e);
-    previous[e] = ConstrainedDelaunay::previous(e);
+    next[e] = detail::ConstrainedDelaunay::next(e);
+    previous[e] = detail::ConstrainedDelaunay::previous(e);
     const Cell sum = triangles.from(e) + triangles.from(next[e]) + triangles.from(previous[e]);
     const Cell cell{(sum.x + 3) / 3 - 1, (sum.y + 3) / 3 - 1};
     inside[e] = grid.contains(cell) && grid.is_free(cell) ? 1 : 0;
   }
   for (Index e = 0; e < count; ++e) {
     const Index t = triangles.twin(e);
-    if (!inside[e] || t == ConstrainedDelaunay::none || t < e || !inside[t]) continue;
+    if (!inside[e] || t == detail::ConstrainedDelaunay::none || t < e || !inside[t]) continue;
     const Cell d = triangles.to(e) - triangles.from(e);
     shared.emplace_back(-(std::int64_t{d.x} * d.x + std::int64_t{d.y} * d.y), e);
   }
@@ -390,10 +390,10 @@ inline std::string NavigationMesh::to_bytes() const {
   std::string bytes(detail::navigation_mesh_magic);
   bytes.reserve(bytes.size() + 4 * size() + 8 * sides_.size());
   for (Piece piece = 0; piece < size(); ++piece) {
-    append_bytes(bytes, first_side_[piece + 1] - first_side_[piece], 4);
+    detail::append_bytes(bytes, first_side_[piece + 1] - first_side_[piece], 4);
     for (std::uint32_t i = first_side_[piece]; i < first_side_[piece + 1]; ++i) {
-      append_bytes(bytes, static_cast<std::uint32_t>(sides_[i].right.x), 4);
-      append_bytes(bytes, static_cast<std::uint32_t>(sides_[i].right.y), 4);
+      detail::append_bytes(bytes, static_cast<std::uint32_t>(sides_[i].right.x), 4);
+      detail::append_bytes(bytes, static_cast<std::uint32_t>(sides_[i].right.y), 4);
     }
   }
   return bytes;
@@ -411,12 +411,13 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::from_bytes(std::string_
   std::vector<Cell> ring;
   for (std::size_t at = magic.size(); at < bytes.size();) {
     if (bytes.size() - at < 4) return broken("the navigation mesh is damaged");
-    const std::uint64_t count = read_bytes(bytes, at, 4);
+    const std::uint64_t count = detail::read_bytes(bytes, at, 4);
     at += 4;
     if (count > (bytes.size() - at) / 8) return broken("the navigation mesh is damaged");
     ring.clear();
     for (std::uint64_t i = 0; i < count; ++i, at += 8) {
-      const std::uint64_t x = read_bytes(bytes, at, 4), y = read_bytes(bytes, at + 4, 4);
+      const std::uint64_t x = detail::read_bytes(bytes, at, 4),
+                          y = detail::read_bytes(bytes, at + 4, 4);
       if (x > static_cast<std::uint64_t>(grid.width()) ||
           y > static_cast<std::uint64_t>(grid.height())) {
         return broken("the navigation mesh was made for another grid");

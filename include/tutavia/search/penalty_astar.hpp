@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "tutavia/search/best_first.hpp"
-#include "tutavia/search/goal_estimate.hpp"
-#include "tutavia/search/grid_graph.hpp"
+#include "tutavia/search/grid/best_first.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/grid_graph.hpp"
 #include "tutavia/search/heuristic.hpp"
 
 /// \file
@@ -31,7 +31,7 @@ namespace tutavia {
 /// there, see docs/algorithms.md.
 struct PenaltyAStar {
   static constexpr std::string_view name = "penalty_astar";
-  using Scratch = GridGraphScratch;
+  using Scratch = detail::GridGraphScratch;
 
   double turn_penalty = 0.4;  ///< lambda [m per radian]
 
@@ -41,7 +41,7 @@ struct PenaltyAStar {
     if (!(turn_penalty >= 0 && turn_penalty <= 1000)) {
       return fail(PlanError::invalid_option, "turn_penalty must lie between 0 and 1000");
     }
-    if (space.grid().index_count() >= std::numeric_limits<NodeId>::max() / 16) {
+    if (space.grid().index_count() >= std::numeric_limits<detail::NodeId>::max() / 16) {
       return fail(PlanError::limit_exceeded,
                   std::to_string(space.grid().index_count()) +
                       " cells with padding, 2^28 allowed by penalty_astar");
@@ -50,23 +50,24 @@ struct PenaltyAStar {
     const double unit = static_cast<double>(straight_cost) / resolution;
     const auto eighth = static_cast<Cost>(std::lround(turn_penalty * std::numbers::pi / 4 * unit));
     std::optional<Cost> paid;
-    auto route = search_grid(
+    auto route = detail::search_grid(
         space, query, scratch.cells,
-        [&](const LinkedQuery& linked, std::vector<Cell>& cells,
+        [&](const detail::LinkedQuery& linked, std::vector<Cell>& cells,
             Statistics& stats) -> std::optional<Failure> {
           const HeadingGraph<S> graph{
-              space, query, linked, space.grid().view(), all_successors(space.movement()), eighth};
-          const GoalEstimate estimate(Heuristic::octile, linked);
-          const auto heuristic = [&](NodeId node) -> Cost {
+              space, query, linked, space.grid().view(), detail::all_successors(space.movement()),
+              eighth};
+          const detail::GoalEstimate estimate(Heuristic::octile, linked);
+          const auto heuristic = [&](detail::NodeId node) -> Cost {
             return node >= graph.source() ? 0 : estimate(graph.cell(node));
           };
-          const auto stopped =
-              best_first(graph, heuristic, scratch.best_first, query.budget, observer, stats);
+          const auto stopped = detail::best_first(graph, heuristic, scratch.best_first,
+                                                  query.budget, observer, stats);
           if (stopped) return Failure{.code = *stopped};
-          const BestFirstScratch& labels = scratch.best_first;
-          for (NodeId node = labels.find(graph.target())->parent; node != graph.source();
+          const detail::BestFirstScratch& labels = scratch.best_first;
+          for (detail::NodeId node = labels.find(graph.target())->parent; node != graph.source();
                node = labels.find(node)->parent) {
-            append_cell(cells, graph.cell(node));
+            detail::append_cell(cells, graph.cell(node));
           }
           paid = labels.find(graph.target())->g;
           return std::nullopt;
@@ -81,35 +82,36 @@ struct PenaltyAStar {
   struct HeadingGraph {
     const S& space;
     const Query& query;
-    const LinkedQuery& linked;
+    const detail::LinkedQuery& linked;
     OccupancyGrid::View grid;
-    const SuccessorTable& table;
+    const detail::SuccessorTable& table;
     Cost eighth;  // what a turn of 45 degrees costs
 
     std::size_t size() const { return 16 * space.grid().index_count() + 2; }
-    NodeId source() const { return static_cast<NodeId>(size() - 2); }
-    NodeId target() const { return source() + 1; }
-    Cell cell(NodeId node) const { return grid.cell(node / 16); }
-    Point point(NodeId node) const {
+    detail::NodeId source() const { return static_cast<detail::NodeId>(size() - 2); }
+    detail::NodeId target() const { return source() + 1; }
+    Cell cell(detail::NodeId node) const { return grid.cell(node / 16); }
+    Point point(detail::NodeId node) const {
       if (node >= source()) return node == source() ? query.start : query.goal;
       return space.frame().point(cell(node));
     }
-    NodeId id(Cell at, std::size_t arrival) const {
-      return static_cast<NodeId>(16 * grid.index(at) + arrival);
+    detail::NodeId id(Cell at, std::size_t arrival) const {
+      return static_cast<detail::NodeId>(16 * grid.index(at) + arrival);
     }
 
     template <class Visit>
-    void for_each_successor(NodeId node, Visit visit) const {
+    void for_each_successor(detail::NodeId node, Visit visit) const {
       if (node == source()) {
-        for (const auto& [at, cost] : linked.starts) visit(id(at, no_step), cost);
+        for (const auto& [at, cost] : linked.starts) visit(id(at, detail::no_step), cost);
         return;
       }
       const Cell from = cell(node);
       const auto arrival = static_cast<int>(node % 16);
       for (unsigned left = table[grid.neighbourhood(node / 16)]; left != 0; left &= left - 1) {
         const int step = std::countr_zero(left);
-        const int turn =
-            arrival == static_cast<int>(no_step) ? 0 : 4 - std::abs(4 - std::abs(step - arrival));
+        const int turn = arrival == static_cast<int>(detail::no_step)
+                             ? 0
+                             : 4 - std::abs(4 - std::abs(step - arrival));
         const auto direction = static_cast<std::size_t>(step);
         visit(id(from + steps[direction], direction), step_cost(direction) + turn * eighth);
       }

@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/point.hpp"
-#include "tutavia/search/query.hpp"
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/plan/query.hpp"
 #include "tutavia/space/concepts.hpp"
 #include "tutavia/space/nearest_free.hpp"
 

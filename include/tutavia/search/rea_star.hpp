@@ -10,16 +10,16 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/plan/query.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/free_rectangle.hpp"
-#include "tutavia/search/goal_estimate.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/grid_query.hpp"
+#include "tutavia/search/grid/open_heap.hpp"
+#include "tutavia/search/grid/stamped_labels.hpp"
 #include "tutavia/search/heuristic.hpp"
-#include "tutavia/search/linked_query.hpp"
-#include "tutavia/search/octile_reach.hpp"
-#include "tutavia/search/open_list.hpp"
-#include "tutavia/search/query.hpp"
 #include "tutavia/search/query_checks.hpp"
-#include "tutavia/search/query_labels.hpp"
+#include "tutavia/search/rectangle/border_costs.hpp"
+#include "tutavia/search/rectangle/free_rectangle.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -38,24 +38,24 @@ class ReaScratch {
   };
   /// A rectangle and the interval that it grew from.
   struct Expansion {
-    CellInterval from;
-    CellRectangle rectangle;
+    detail::CellInterval from;
+    detail::CellRectangle rectangle;
   };
   struct Entry {
     Cost key;
     std::uint64_t sequence;
-    CellInterval interval;
+    detail::CellInterval interval;
     std::uint32_t expansion;                                 // that found it
     friend bool operator<(const Entry& a, const Entry& b) {  // worse < better
       return a.key != b.key ? a.key > b.key : a.sequence > b.sequence;
     }
   };
 
-  QueryLabels<Label> labels;
+  detail::QueryLabels<Label> labels;
   std::vector<Expansion> expansions;
-  OpenList<Entry> open;
-  OctileReach reach;
-  std::vector<CellRun> exits;
+  detail::OpenList<Entry> open;
+  detail::OctileReach reach;
+  std::vector<detail::CellRun> exits;
   std::vector<Cell> cells;
 };
 
@@ -292,18 +292,18 @@ Expected<Route, Failure> ReaStar::search(const S& space, const Query& query, Scr
                                          O& observer) const {
   if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
   std::optional<Cost> paid;
-  auto route = search_grid(space, query, scratch.cells,
-                           [&](const LinkedQuery& linked, std::vector<Cell>& cells,
-                               Statistics& stats) -> std::optional<Failure> {
-                             detail::RectangleSearch<S, O> search(space, query, linked, scratch,
-                                                                  observer, stats);
-                             if (auto failure = search.run()) return failure;
-                             search.path(cells);
-                             paid = search.cost();
-                             return std::nullopt;
-                           });
+  auto route = detail::search_grid(space, query, scratch.cells,
+                                   [&](const detail::LinkedQuery& linked, std::vector<Cell>& cells,
+                                       Statistics& stats) -> std::optional<Failure> {
+                                     detail::RectangleSearch<S, O> search(space, query, linked,
+                                                                          scratch, observer, stats);
+                                     if (auto failure = search.run()) return failure;
+                                     search.path(cells);
+                                     paid = search.cost();
+                                     return std::nullopt;
+                                   });
   if (route && paid) {
-    route->cost = in_metres(*paid, space.frame().resolution);
+    route->cost = detail::in_metres(*paid, space.frame().resolution);
   }
   return route;
 }

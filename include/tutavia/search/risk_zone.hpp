@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <utility>
 
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/query.hpp"
-#include "tutavia/search/route.hpp"
-#include "tutavia/search/tree_growth.hpp"
+#include "tutavia/search/tree/tree_growth.hpp"
 
 /// \file
 /// Rrt: a path, found by a tree that grows at random.
@@ -29,7 +29,7 @@ namespace tutavia {
 /// `cancelled`. That there is no path cannot be known.
 struct Rrt {
   static constexpr std::string_view name = "rrt";
-  using Scratch = TreeScratch;
+  using Scratch = detail::TreeScratch;
 
   /// Longest edge [m], at most the diagonal of the bounds; none: a 25th of their longer side.
   std::optional<double> step{};
@@ -42,11 +42,11 @@ struct Rrt {
     if (auto failure = detail::check_growth(space, query, step, goal_bias, iterations)) {
       return Unexpected{std::move(*failure)};
     }
-    SearchTree& tree = scratch.tree;
+    detail::SearchTree& tree = scratch.tree;
     tree.begin(space.bounds(), query.start);
     if (auto straight = detail::straight_route(space, query)) return std::move(*straight);
     detail::TreeGrowth growth(space, query, step, observer);
-    const auto add = [&](SearchTree::Node parent, const Point& p) {
+    const auto add = [&](detail::SearchTree::Node parent, const Point& p) {
       return growth.add(tree, parent, p, distance(tree.position(parent), p));
     };
     for (std::uint32_t i = 0; i < iterations; ++i) {
@@ -54,10 +54,10 @@ struct Rrt {
         return Unexpected{growth.failure(std::move(*failure), tree)};
       }
       const Point target = growth.sample(goal_bias);
-      const SearchTree::Node nearest = tree.points().nearest(target);
+      const detail::SearchTree::Node nearest = tree.points().nearest(target);
       const auto end = growth.step_towards(tree, nearest, target);
       if (!end) continue;
-      SearchTree::Node node = add(nearest, *end);
+      detail::SearchTree::Node node = add(nearest, *end);
       if (*end != query.goal) {
         if (distance(*end, query.goal) > growth.step()) continue;
         if (!space.segment_free(*end, query.goal)) continue;

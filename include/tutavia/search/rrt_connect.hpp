@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/query.hpp"
-#include "tutavia/search/route.hpp"
-#include "tutavia/search/tree_growth.hpp"
+#include "tutavia/search/tree/tree_growth.hpp"
 
 /// \file
 /// RrtConnect: a path, found by two random trees that grow towards each other.
@@ -20,7 +20,7 @@ namespace tutavia {
 
 /// Memory of a search that grows a tree from both ends, and the trees that it grew last.
 struct TwoTreesScratch {
-  SearchTree from_start, from_goal;
+  detail::SearchTree from_start, from_goal;
 
   void clear() {
     from_start.clear();
@@ -58,7 +58,7 @@ struct RrtConnect {
     scratch.from_goal.begin(space.bounds(), query.goal);
     if (auto straight = detail::straight_route(space, query)) return std::move(*straight);
     detail::TreeGrowth growth(space, query, step, observer);
-    SearchTree *tree = &scratch.from_start, *other = &scratch.from_goal;
+    detail::SearchTree *tree = &scratch.from_start, *other = &scratch.from_goal;
     for (std::uint32_t i = 0; i < iterations; ++i, std::swap(tree, other)) {
       if (auto failure = growth.next_iteration()) {
         return Unexpected{growth.failure(std::move(*failure), scratch.from_start)};
@@ -77,14 +77,15 @@ struct RrtConnect {
   }
 
  private:
-  static SearchTree::Node last(const SearchTree& tree) {
-    return static_cast<SearchTree::Node>(tree.size() - 1);
+  static detail::SearchTree::Node last(const detail::SearchTree& tree) {
+    return static_cast<detail::SearchTree::Node>(tree.size() - 1);
   }
 
   /// Adds a step towards a target to a tree, if there is one.
   template <FreeSpace S, Observer O>
-  static bool extend(detail::TreeGrowth<S, O>& growth, SearchTree& tree, const Point& target) {
-    const SearchTree::Node nearest = tree.points().nearest(target);
+  static bool extend(detail::TreeGrowth<S, O>& growth, detail::SearchTree& tree,
+                     const Point& target) {
+    const detail::SearchTree::Node nearest = tree.points().nearest(target);
     const auto end = growth.step_towards(tree, nearest, target);
     if (end) growth.add(tree, nearest, *end, distance(tree.position(nearest), *end));
     return end.has_value();

@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "tutavia/pull/remove_redundant.hpp"
+#include "tutavia/core/parts/remove_redundant.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/optimal_tree.hpp"
-#include "tutavia/search/query.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/risk_zone.hpp"
-#include "tutavia/search/route.hpp"
-#include "tutavia/search/tree_growth.hpp"
+#include "tutavia/search/tree/rewired_tree.hpp"
+#include "tutavia/search/tree/tree_growth.hpp"
 
 /// \file
 /// SafeRrtStar: RRT* that keeps away from obstacles where it can.
@@ -36,13 +36,13 @@ namespace tutavia {
 /// Science Journal, October 2023 (RRTS); what it leaves open is decided in docs/algorithms.md.
 struct SafeRrtStar {
   static constexpr std::string_view name = "safe_rrt_star";
-  using Scratch = OptimalTreeScratch;
+  using Scratch = detail::OptimalTreeScratch;
 
   /// Longest step [m], at most the diagonal of the bounds; none: a 25th of their longer side.
   std::optional<double> step{};
   double goal_bias = 0.05;  ///< share of iterations that grow towards the goal until it is reached
   std::uint32_t iterations = 3000;  ///< of either tree
-  Neighbours neighbours = Neighbours::k_nearest;
+  detail::Neighbours neighbours = detail::Neighbours::k_nearest;
   double rewire_factor = 1.1;  ///< theory wants more than 1
   /// Width of the risk zones [m]; none: as `step` without a value.
   std::optional<double> risk_width{};

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "tutavia/search/goal_estimate.hpp"
-#include "tutavia/search/octile_reach.hpp"
-#include "tutavia/search/rectangle_waves.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/rectangle/bidirectional_rectangles.hpp"
+#include "tutavia/search/rectangle/border_costs.hpp"
 
 /// \file
 /// SBREA*: rectangle expansion from both ends, with nodes that slide along their rails.

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "tutavia/search/goal_estimate.hpp"
-#include "tutavia/search/grid_graph.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/grid_graph.hpp"
 #include "tutavia/search/heuristic.hpp"
 
 /// \file
@@ -36,7 +36,7 @@ struct SsaWeights {
 /// Source: the SSA-A* paper, equation (1) and algorithm 1; see docs/algorithms.md.
 struct SsaAStar {
   static constexpr std::string_view name = "ssa_astar";
-  using Scratch = GridGraphScratch;
+  using Scratch = detail::GridGraphScratch;
 
   SsaWeights weights{};
 
@@ -44,11 +44,12 @@ struct SsaAStar {
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
     if (const auto failure = check(weights)) return Unexpected{*failure};
-    return graph_search(
-        space, query, scratch, observer, PlainPrices{}, [&](const LinkedQuery& linked) {
+    return detail::graph_search(
+        space, query, scratch, observer, detail::PlainPrices{},
+        [&](const detail::LinkedQuery& linked) {
           return [w = weights, grid = space.grid().view(),
-                  chebyshev = GoalEstimate(Heuristic::chebyshev, linked),
-                  euclidean = GoalEstimate(Heuristic::euclidean, linked)](Cell cell) {
+                  chebyshev = detail::GoalEstimate(Heuristic::chebyshev, linked),
+                  euclidean = detail::GoalEstimate(Heuristic::euclidean, linked)](Cell cell) {
             const int free = std::popcount(unsigned{grid.neighbourhood(grid.index(cell))});
             return static_cast<Cost>(w.chebyshev * static_cast<double>(chebyshev(cell)) +
                                      w.euclidean * static_cast<double>(euclidean(cell)) +

@@ -14,13 +14,13 @@
 #include <vector>
 
 #include "tutavia/certify/piece_proof.hpp"
-#include "tutavia/geometry/bitangent.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/geometry/tangent/tangent_line.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/open_list.hpp"
-#include "tutavia/search/query.hpp"
+#include "tutavia/search/grid/open_heap.hpp"
 #include "tutavia/search/query_checks.hpp"
-#include "tutavia/search/route.hpp"
 #include "tutavia/search/tangent_map.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -42,13 +42,13 @@ class TangentScratch {
   };
   /// A way that was taken, to where it touches a circle (or to the goal).
   struct Arrival {
-    Bitangent way;
+    detail::Bitangent way;
     double cost;  // up to there
     std::uint32_t node, parent, next;
     double turn;  // around the circle before
   };
 
-  OpenList<Entry> open;
+  detail::OpenList<Entry> open;
   std::vector<Arrival> arrivals;
   std::vector<std::uint32_t> first;  // arrival of each node
 };

@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
-#include "tutavia/geometry/bitangent.hpp"
 #include "tutavia/geometry/box.hpp"
-#include "tutavia/search/changed_zones.hpp"
+#include "tutavia/geometry/tangent/tangent_line.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/search/query_checks.hpp"
+#include "tutavia/search/tangent/changed_zones.hpp"
 #include "tutavia/space/concepts.hpp"
-#include "tutavia/space/passing_radius.hpp"
+#include "tutavia/space/index/passing_radius.hpp"
 
 /// \file
 /// TangentMap: what shortest paths of a disc turn around, and the ways between.
@@ -63,7 +63,7 @@ class TangentMap {
   static constexpr std::size_t most_boxes = 32;
 
   Node nodes() const { return static_cast<Node>(2 * circles_.size()); }
-  SidedCircle circle(Node node) const {
+  detail::SidedCircle circle(Node node) const {
     const Circle& circle = circles_[node / 2];
     return {circle.center, circle.radius, side(node)};
   }
@@ -74,7 +74,7 @@ class TangentMap {
   /// Calls `visit(node)` for all nodes to which there may be a way from a circle, that of the node
   /// `from` or of none; a quick look drops most that cannot be touched.
   template <class Visit>
-  void for_each_candidate(const SidedCircle& at, Node from, Visit visit) const;
+  void for_each_candidate(const detail::SidedCircle& at, Node from, Visit visit) const;
 
   bool is_prepared() const { return !first_way_.empty(); }
   /// The nodes that a proved way leads to. \pre prepared
@@ -136,7 +136,7 @@ TangentMap::TangentMap(const S& space)
   std::vector<End> ends;
   space.for_each_feature(space.bounds().inflated(2 * space.safety_radius()),
                          [&](const Segment& core, double radius) {
-                           const double grown = passing_radius(space, radius);
+                           const double grown = detail::passing_radius(space, radius);
                            const Point d = core.b - core.a;
                            const double length = d.norm();
                            const Point unit = length > 0 ? Point(d / length) : d;
@@ -184,7 +184,7 @@ inline bool TangentMap::may_touch(const Circle& circle, int side, const Point& b
 }
 
 template <class Visit>
-void TangentMap::for_each_candidate(const SidedCircle& at, Node from, Visit visit) const {
+void TangentMap::for_each_candidate(const detail::SidedCircle& at, Node from, Visit visit) const {
   for (Node i = 0; i < circles_.size(); ++i) {
     const Circle& circle = circles_[i];
     const Point between{circle.center.x() - at.center.x(), circle.center.y() - at.center.y()};
@@ -202,7 +202,7 @@ void TangentMap::for_each_candidate(const SidedCircle& at, Node from, Visit visi
 
 template <FeatureSpace S>
 void TangentMap::find_way(const S& space, Node from, Node to, std::vector<Way>& ways) const {
-  const auto way = bitangent(circle(from), circle(to));
+  const auto way = detail::bitangent(circle(from), circle(to));
   if (!way || !touches(from, way->direction) || !touches(to, way->direction)) return;
   // The space's own test is a proof as well, and done at the first obstacle in the way.
   if (!space.segment_free(way->from, way->to)) return;
@@ -265,7 +265,8 @@ Expected<TangentMap, Failure> TangentMap::updated(const S& after, std::span<cons
   if (!is_prepared() || map.setting_ != setting_ || changed.size() > most_boxes) {
     return prepare(after, budget);
   }
-  const ChangedZones zones(changed, after.bounds(), after.safety_radius() + 8 * after.slack());
+  const detail::ChangedZones zones(changed, after.bounds(),
+                                   after.safety_radius() + 8 * after.slack());
   // The circles always in the same order, as rounding might tell a way from its way back.
   const auto is_affected = [&](const Circle& first, const Circle& second) {
     return zones.are_near(first.center, second.center, std::max(first.radius, second.radius));

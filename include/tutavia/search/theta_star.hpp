@@ -13,15 +13,15 @@
 #include <utility>
 #include <vector>
 
-#include "tutavia/core/statistics.hpp"
-#include "tutavia/core/zeroed_array.hpp"
-#include "tutavia/grid/successors.hpp"
+#include "tutavia/core/parts/zeroed_array.hpp"
+#include "tutavia/grid/bitboard/successors.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/statistics.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/jump_queue.hpp"
-#include "tutavia/search/linked_query.hpp"
-#include "tutavia/search/query.hpp"
+#include "tutavia/search/grid/grid_query.hpp"
+#include "tutavia/search/grid/wide_bucket_queue.hpp"
+#include "tutavia/search/mesh/corner_graph.hpp"
 #include "tutavia/search/query_checks.hpp"
-#include "tutavia/space/cell_corners.hpp"
 #include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -49,7 +49,7 @@ class ThetaScratch {
 
   void begin(std::size_t size) {
     if (labels_.size() < size || query_ == last_query) {
-      labels_ = ZeroedArray<Label>(size);
+      labels_ = detail::ZeroedArray<Label>(size);
       query_ = 0;
     }
     ++query_;
@@ -63,13 +63,13 @@ class ThetaScratch {
   }
   void close(std::uint32_t node) { labels_[node].stamp |= 1; }
 
-  JumpQueueOf<6> open;  // closed cells stay closed: their order matters
+  detail::JumpQueueOf<6> open;  // closed cells stay closed: their order matters
   std::vector<Cell> cells;
 
  private:
   static constexpr std::uint32_t last_query = (std::uint32_t{1} << 31) - 1;
 
-  ZeroedArray<Label> labels_;
+  detail::ZeroedArray<Label> labels_;
   std::uint32_t query_ = 0;
 };
 

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "tutavia/search/goal_estimate.hpp"
-#include "tutavia/search/grid_graph.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/grid_graph.hpp"
 #include "tutavia/search/heuristic.hpp"
 
 /// \file
@@ -18,7 +18,7 @@ namespace tutavia {
 /// Source: Pohl 1970, "Heuristic search viewed as path finding in a graph".
 struct WeightedAStar {
   static constexpr std::string_view name = "weighted_astar";
-  using Scratch = GridGraphScratch;
+  using Scratch = detail::GridGraphScratch;
 
   double weight = 1.5;
 
@@ -28,11 +28,13 @@ struct WeightedAStar {
     if (!(weight >= 1 && weight <= 1000)) {
       return fail(PlanError::invalid_option, "weight must lie between 1 and 1000");
     }
-    return graph_search(
-        space, query, scratch, observer, PlainPrices{}, [this](const LinkedQuery& linked) {
-          return [w = weight, estimate = GoalEstimate(Heuristic::octile, linked)](Cell cell) {
-            return static_cast<Cost>(w * static_cast<double>(estimate(cell)));
-          };
+    return detail::graph_search(
+        space, query, scratch, observer, detail::PlainPrices{},
+        [this](const detail::LinkedQuery& linked) {
+          return
+              [w = weight, estimate = detail::GoalEstimate(Heuristic::octile, linked)](Cell cell) {
+                return static_cast<Cost>(w * static_cast<double>(estimate(cell)));
+              };
         });
   }
 };

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
-#include "tutavia/pull/redundant_node_removal.hpp"
-#include "tutavia/pull/route_check.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/smooth/concepts.hpp"
-#include "tutavia/smooth/corner_spline.hpp"
+#include "tutavia/smooth/redundant_node_removal.hpp"
+#include "tutavia/smooth/route/input_checks.hpp"
+#include "tutavia/smooth/spline/corner_spline.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -44,7 +44,7 @@ struct BSplineSmoother {
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (!(reach > 0)) return fail(PlanError::invalid_option, "reach must be positive");
     if (!prune) {
-      const auto nodes = free_polyline(space, input, budget, "the B-spline");
+      const auto nodes = detail::free_polyline(space, input, budget, "the B-spline");
       if (!nodes) return Unexpected{nodes.error()};
       return spline(space, *nodes, budget);
     }
@@ -58,7 +58,7 @@ struct BSplineSmoother {
   Expected<Curve, Failure> spline(const S& space, const std::vector<Point>& nodes,
                                   const Budget& budget) const {
     if (nodes.empty()) return Curve();
-    return CornerSpline(nodes, reach * length_unit(space)).prove(space, budget);
+    return detail::CornerSpline(nodes, reach * length_unit(space)).prove(space, budget);
   }
 };
 

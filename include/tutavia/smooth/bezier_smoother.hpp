@@ -9,10 +9,10 @@
 
 #include "tutavia/certify/piece_proof.hpp"
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
-#include "tutavia/pull/route_check.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/smooth/concepts.hpp"
+#include "tutavia/smooth/route/input_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -48,7 +48,8 @@ struct BezierSmoother {
     if (!(0 < fullness && fullness <= 1)) {
       return fail(PlanError::invalid_option, "fullness must lie in (0, 1]");
     }
-    if (const auto free = check_free(space, input, budget); !free) return Unexpected{free.error()};
+    if (const auto free = detail::check_free(space, input, budget); !free)
+      return Unexpected{free.error()};
     const std::size_t count = input.pieces().size();
     std::vector<Rounding> corners(count + 1);  // before each piece, and at the end
     for (std::size_t i = 1; i < count; ++i) {

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
-#include "tutavia/pull/route_check.hpp"
-#include "tutavia/pull/taut_string.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/smooth/concepts.hpp"
-#include "tutavia/smooth/spiral_string.hpp"
+#include "tutavia/smooth/route/input_checks.hpp"
+#include "tutavia/smooth/string/clothoid_string.hpp"
+#include "tutavia/smooth/taut_string.hpp"
 
 /// \file
 /// ClothoidSmoother: a path of continuous curvature.
@@ -91,7 +91,8 @@ struct ClothoidSmoother {
       has_arcs = true;
     }
     if (!has_arcs) return TautString{}.smooth(space, input, budget);
-    if (const auto free = check_free(space, input, budget); !free) return Unexpected{free.error()};
+    if (const auto free = detail::check_free(space, input, budget); !free)
+      return Unexpected{free.error()};
     return input;
   }
 };

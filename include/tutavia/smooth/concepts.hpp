@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file

@@ -13,12 +13,12 @@
 
 #include "tutavia/certify/piece_proof.hpp"
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
-#include "tutavia/pull/farthest_in_sight.hpp"
-#include "tutavia/pull/route_check.hpp"
-#include "tutavia/pull/shortcut.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
-#include "tutavia/smooth/critical_corners.hpp"
+#include "tutavia/smooth/route/critical_corners.hpp"
+#include "tutavia/smooth/route/farthest_in_sight.hpp"
+#include "tutavia/smooth/route/input_checks.hpp"
+#include "tutavia/smooth/shortcut.hpp"
 
 /// \file
 /// DeltaSmoother: the DSP paper's smoothing of grid paths.
@@ -63,7 +63,7 @@ struct DeltaSmoother {
   template <CornerSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
-    const auto nodes = free_nodes(space, input, budget, "the delta smoother");
+    const auto nodes = detail::free_nodes(space, input, budget, "the delta smoother");
     if (!nodes) return Unexpected{nodes.error()};
     auto result = lines_and_arcs(space, *nodes, budget);
     if (result && result->length() > input.length()) {
@@ -130,7 +130,7 @@ struct DeltaSmoother {
       return nodes[i].x() != nodes[j].x() ? nodes[i].x() < nodes[j].x() : i < j;
     });
     for (const Corner& corner :
-         critical_corners(space, nodes, corner_threshold, min_exterior_angle)) {
+         detail::critical_corners(space, nodes, corner_threshold, min_exterior_angle)) {
       triggers.push_back(trigger_of(corner, nodes, by_x));
     }
     std::sort(triggers.begin(), triggers.end(), [](const Trigger& a, const Trigger& b) {
@@ -169,12 +169,12 @@ struct DeltaSmoother {
                                       std::size_t i, std::size_t barrier) {
     const auto sees = [&](std::size_t j) { return space.segment_free(nodes[i], nodes[j]); };
     const std::size_t end = nodes.size() - 1;
-    const std::size_t last = farthest_looking_ahead(i, end, sees);
+    const std::size_t last = detail::farthest_looking_ahead(i, end, sees);
     const std::size_t target = std::clamp(last == end ? end : last - 1, i + 1, barrier);
     if (target == last || target == i + 1) return target;
     if (sees(target)) return target;
     if (last <= barrier) return last;  // it is in sight, its predecessor is not
-    return farthest_looking_ahead(i, target, sees);
+    return detail::farthest_looking_ahead(i, target, sees);
   }
 
   /// Replaces the two steps around a trigger by one arc, if any offset gives a proved one.

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
-#include "tutavia/pull/route_check.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/search/tangent_graph.hpp"
+#include "tutavia/smooth/route/input_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -35,7 +35,8 @@ struct HomotopyRefine {
   /// the curve is checked.
   template <FeatureSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
-    if (const auto free = check_free(space, input, budget); !free) return Unexpected{free.error()};
+    if (const auto free = detail::check_free(space, input, budget); !free)
+      return Unexpected{free.error()};
     if (input.empty() || !(space.safety_radius() > 0)) return input;
     Query query{.start = input.start(), .goal = input.end(), .budget = budget};
     query.budget.max_expansions = std::min(budget.max_expansions, max_expansions);

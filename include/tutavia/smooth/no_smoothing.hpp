@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// NoSmoothing: the route as it is.

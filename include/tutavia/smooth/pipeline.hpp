@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/smooth/concepts.hpp"
 
 /// \file

@@ -12,11 +12,11 @@
 
 #include "tutavia/certify/piece_proof.hpp"
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/geometry/natural_spline.hpp"
-#include "tutavia/pull/route_check.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/smooth/concepts.hpp"
+#include "tutavia/smooth/route/input_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -171,7 +171,7 @@ Expected<Curve, Failure> SmoothingSpline::smooth(const S& space, const Curve& in
   if (output_points > 1'000'000) {
     return fail(PlanError::invalid_option, "output_points must be at most a million");
   }
-  auto route = free_nodes(space, input, budget, "the smoothing spline");
+  auto route = detail::free_nodes(space, input, budget, "the smoothing spline");
   if (!route) return Unexpected{route.error()};
   std::vector<Point>& nodes = *route;
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());

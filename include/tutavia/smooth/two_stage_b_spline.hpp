@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "tutavia/core/budget.hpp"
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/curve.hpp"
-#include "tutavia/pull/route_check.hpp"
-#include "tutavia/smooth/corner_spline.hpp"
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/smooth/route/input_checks.hpp"
+#include "tutavia/smooth/spline/corner_spline.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -51,7 +51,7 @@ struct TwoStageBSpline {
   template <ClearanceGridSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
-    auto nodes = free_nodes(space, input, budget, "the two-stage B-spline");
+    auto nodes = detail::free_nodes(space, input, budget, "the two-stage B-spline");
     if (!nodes) return Unexpected{nodes.error()};
     if (nodes->empty()) return input;
     avoid_corners(space, *nodes);
@@ -63,7 +63,8 @@ struct TwoStageBSpline {
         move_away(space, *nodes, i);
       }
     }
-    return CornerSpline(std::move(*nodes), CornerSpline::no_helper).prove(space, budget);
+    return detail::CornerSpline(std::move(*nodes), detail::CornerSpline::no_helper)
+        .prove(space, budget);
   }
 
  private:

@@ -14,14 +14,14 @@
 #include <string>
 #include <utility>
 
-#include "tutavia/geometry/exact_number.hpp"
+#include "tutavia/geometry/numeric/exact_number.hpp"
 #include "tutavia/geometry/segment.hpp"
 #include "tutavia/grid/dilate.hpp"
 #include "tutavia/grid/line_of_sight.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/concepts.hpp"
-#include "tutavia/space/grid_layer.hpp"
-#include "tutavia/space/nearest_feature.hpp"
+#include "tutavia/space/index/grid_layer.hpp"
+#include "tutavia/space/index/nearest_feature.hpp"
 #include "tutavia/world/workspace.hpp"
 
 /// \file
@@ -68,7 +68,7 @@ class CellSpace {
   }
   const Frame& frame() const { return layer_.frame(); }
   MovementRule movement() const { return layer_.movement(); }
-  const StopPlanes& stop_planes() const { return layer_.stop_planes(); }
+  const detail::StopPlanes& stop_planes() const { return layer_.stop_planes(); }
   const OccupancyGrid& columns() const { return layer_.columns(); }
   const OccupancyGrid& corners() const { return layer_.corners(); }
   Links links(const Point& p) const {
@@ -171,7 +171,7 @@ class CellSpace {
   /// cells, or what lies beyond the map, on both sides.
   bool runs_inside(const Box& box) const;
 
-  GridLayer layer_;
+  detail::GridLayer layer_;
   std::shared_ptr<const OccupancyGrid> cells_;  // where the grid is not these; shared by copies
   Point corner_;
   Box bounds_;
@@ -212,15 +212,16 @@ inline Expected<CellSpace, Failure> CellSpace::build(OccupancyGrid cells,
   if (r == 0) return CellSpace(std::move(cells), nullptr, origin, frame, options);
 
   // Squared distances between centres and squares are integers in units of half a cell.
-  const auto squared = [](const ExactNumber& x) { return x * x; };
-  const ExactNumber unit = squared(ExactNumber(side / 2)), limit = squared(ExactNumber(r));
+  const auto squared = [](const detail::ExactNumber& x) { return x * x; };
+  const detail::ExactNumber unit = squared(detail::ExactNumber(side / 2)),
+                            limit = squared(detail::ExactNumber(r));
   const double ratio = 2 * r / side;
   if (!(ratio < 0x1p25)) {
     return fail(PlanError::invalid_option, "safety_radius is more than 2^24 cells");
   }
   auto least = static_cast<std::int64_t>(ratio * ratio);
   const auto keeps = [&](std::int64_t n) {
-    return (ExactNumber(static_cast<double>(n)) * unit - limit).sign() >= 0;
+    return (detail::ExactNumber(static_cast<double>(n)) * unit - limit).sign() >= 0;
   };
   while (least > 0 && keeps(least - 1)) --least;
   while (!keeps(least)) ++least;
@@ -238,11 +239,11 @@ void CellSpace::for_each_blocked(int y, int first, int last, Visit visit) const 
   first = std::max(first, 0);
   last = std::min(last, map.width() - 1);
   const auto free_from = [&](int x, int row) {
-    return load_bits(map.words().data(), map.index({x, row}));
+    return detail::load_bits(map.words().data(), map.index({x, row}));
   };
   const bool border_row = y == 0 || y == map.height() - 1;
-  for (int x = first; x <= last; x += static_cast<int>(loaded_bits)) {
-    const int count = std::min(last - x + 1, static_cast<int>(loaded_bits));
+  for (int x = first; x <= last; x += static_cast<int>(detail::loaded_bits)) {
+    const int count = std::min(last - x + 1, static_cast<int>(detail::loaded_bits));
     std::uint64_t blocked = ~free_from(x, y) & ((std::uint64_t{1} << count) - 1);
     if (blocked == 0) continue;
     if (Boundary && !border_row) {
@@ -287,7 +288,7 @@ void CellSpace::for_each_edge_near(const P& piece, double low, double high, doub
 template <class P>
 Proximity CellSpace::nearest(const P& piece, double cap) const {
   const Box box = piece.box();
-  return nearest_feature(
+  return detail::nearest_feature(
       piece, cap, safety_radius_ + 2 * frame().resolution, bounds_, [&](double reach, auto visit) {
         for_each_edge_near(strip(piece), box.min.y(), box.max.y(), reach,
                            [&](const Segment& edge, std::uint32_t cell, std::uint32_t side) {

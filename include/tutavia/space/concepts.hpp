@@ -9,9 +9,9 @@
 #include "tutavia/geometry/arc.hpp"
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/segment.hpp"
+#include "tutavia/grid/bitboard/stop_planes.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
-#include "tutavia/grid/stop_planes.hpp"
 #include "tutavia/space/links.hpp"
 #include "tutavia/world/frame.hpp"
 #include "tutavia/world/workspace.hpp"
@@ -116,7 +116,7 @@ concept ColumnSpace = GridSpace<S> && requires(const S& s) {
 /// A grid space that keeps the stop planes of its grid, in which jump points are found.
 template <class S>
 concept JumpSpace = GridSpace<S> && requires(const S& s) {
-  { s.stop_planes() } -> std::same_as<const StopPlanes&>;
+  { s.stop_planes() } -> std::same_as<const detail::StopPlanes&>;
 };
 
 /// Free space with a grid of nodes and steps of its own: `successors(index)` holds the steps, each

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/space/concepts.hpp"
 #include "tutavia/world/frame.hpp"
 

@@ -11,9 +11,9 @@
 
 #include "tutavia/geometry/polygon.hpp"
 #include "tutavia/geometry/segment.hpp"
-#include "tutavia/space/box_tree.hpp"
 #include "tutavia/space/concepts.hpp"
-#include "tutavia/space/nearest_feature.hpp"
+#include "tutavia/space/index/box_tree.hpp"
+#include "tutavia/space/index/nearest_feature.hpp"
 #include "tutavia/world/workspace.hpp"
 
 /// \file
@@ -108,8 +108,8 @@ class InflatedSpace {
   Box extent_;                              // of all features
   double density_ = 0;                      // features per square metre
   std::vector<Touch> may_touch_;            // per obstacle; filled for safety radius 0
-  BoxTree edges_;
-  BoxTree areas_;  // boxes of the polygons
+  detail::BoxTree edges_;
+  detail::BoxTree areas_;  // boxes of the polygons
 };
 
 inline Expected<InflatedSpace, Failure> InflatedSpace::build(Workspace workspace) {
@@ -119,7 +119,7 @@ inline Expected<InflatedSpace, Failure> InflatedSpace::build(Workspace workspace
 
 inline InflatedSpace::InflatedSpace(Workspace workspace)
     : workspace_(std::move(workspace)), magnitude_(workspace_.magnitude()) {
-  std::vector<BoxTree::Entry> areas, edges;
+  std::vector<detail::BoxTree::Entry> areas, edges;
   for (std::uint32_t i = 0; i < workspace_.obstacles.size(); ++i) {
     first_feature_.push_back(features_.size());
     if (const Disc* disc = std::get_if<Disc>(&workspace_.obstacles[i])) {
@@ -150,8 +150,8 @@ inline InflatedSpace::InflatedSpace(Workspace workspace)
       may_touch_.push_back(simple ? Touch::inside_only : Touch::blocks);
     }
   }
-  edges_ = BoxTree(std::move(edges));
-  areas_ = BoxTree(std::move(areas));
+  edges_ = detail::BoxTree(std::move(edges));
+  areas_ = detail::BoxTree(std::move(areas));
 }
 
 inline void InflatedSpace::add_ring(const Ring& ring, std::uint32_t obstacle, bool is_hole,
@@ -233,7 +233,7 @@ void InflatedSpace::for_each_along(const P& piece, double reach, Visit visit) co
 template <class P>
 Proximity InflatedSpace::nearest_or_less(const P& piece, double cap, double enough) const {
   const double first_reach = safety_radius() + (bounds().width() + bounds().height()) / 64;
-  return nearest_feature(piece, cap, first_reach, extent_, [&](double reach, auto visit) {
+  return detail::nearest_feature(piece, cap, first_reach, extent_, [&](double reach, auto visit) {
     for_each_along(piece, reach, [&](const Feature& f) {
       return visit(f.core, f.radius, f.obstacle, f.edge) >= enough;
     });

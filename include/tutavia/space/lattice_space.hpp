@@ -7,7 +7,7 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/concepts.hpp"
 #include "tutavia/space/grid_builder.hpp"
-#include "tutavia/space/grid_layer.hpp"
+#include "tutavia/space/index/grid_layer.hpp"
 #include "tutavia/space/inflated_space.hpp"
 
 /// \file
@@ -36,14 +36,14 @@ class LatticeSpace : public InflatedSpace {
     auto sampled = grid_builder(*space).build(
         {.resolution = options.resolution, .max_nodes = options.max_nodes});
     if (!sampled) return Unexpected{sampled.error()};
-    return LatticeSpace(std::move(*space),
-                        GridLayer(std::move(sampled->grid), sampled->frame, options.movement));
+    return LatticeSpace(std::move(*space), detail::GridLayer(std::move(sampled->grid),
+                                                             sampled->frame, options.movement));
   }
 
   const OccupancyGrid& grid() const { return layer_.grid(); }
   const Frame& frame() const { return layer_.frame(); }
   MovementRule movement() const { return layer_.movement(); }
-  const StopPlanes& stop_planes() const { return layer_.stop_planes(); }
+  const detail::StopPlanes& stop_planes() const { return layer_.stop_planes(); }
   const OccupancyGrid& columns() const { return layer_.columns(); }
 
   /// Joins `p` to the free nodes within sqrt(2) delta that it reaches by a free segment; to the
@@ -58,10 +58,10 @@ class LatticeSpace : public InflatedSpace {
   bool sees(Cell a, Cell b) const { return segment_free(frame().point(a), frame().point(b)); }
 
  private:
-  LatticeSpace(InflatedSpace space, GridLayer layer)
+  LatticeSpace(InflatedSpace space, detail::GridLayer layer)
       : InflatedSpace(std::move(space)), layer_(std::move(layer)) {}
 
-  GridLayer layer_;
+  detail::GridLayer layer_;
 };
 
 }  // namespace tutavia

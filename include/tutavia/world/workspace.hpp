@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "tutavia/core/error.hpp"
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/polygon.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// Workspace: where the robot may be.

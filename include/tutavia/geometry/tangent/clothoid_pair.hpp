@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "tutavia/geometry/bezier.hpp"
+#include "tutavia/geometry/clothoid.hpp"
+#include "tutavia/geometry/curvature.hpp"
+#include "tutavia/geometry/point.hpp"
+
+/// \file
+/// Corners rounded by two spirals: the curvature grows from 0 to a peak and falls to 0 again.
+
+namespace tutavia::detail {
+
+/// A clothoid that leaves a straight line and turns by `turn` until its radius is 1. In units of
+/// that radius.
+///
+/// Source: Meek and Walton 1992, "Clothoid spline transition spirals".
+struct UnitSpiral {
+  double turn = 0;               ///< [rad]
+  Point end = Point::Zero();     ///< as seen from its start, along the line and across it
+  Point centre = Point::Zero();  ///< of its last circle, seen in the same way, but 1 less across
+
+  /// \pre 0 <= turn < pi
+  static UnitSpiral turning(double turn) {
+    UnitSpiral spiral{.turn = turn};
+    if (!(turn > 0)) return spiral;
+    spiral.end = Clothoid::from({0, 0}, 0, 0, 0.5 / turn, 2 * turn).b;
+    const double half_sine = std::sin(0.5 * turn);
+    spiral.centre = {spiral.end.x() - std::sin(turn), spiral.end.y() - 2 * half_sine * half_sine};
+    return spiral;
+  }
+};
+
+/// Two spirals that are mirror images and together take the place of a corner, in units of the
+/// radius where they meet.
+struct SpiralPair {
+  double leg = 0;   ///< from the corner to where they begin and end on its legs
+  double drop = 0;  ///< from the corner to where they meet
+
+  /// Of clothoids. \pre 0 < turn < pi: of the whole corner [rad]
+  static SpiralPair of_clothoids(double turn) {
+    const Point end = UnitSpiral::turning(turn / 2).end;
+    return {end.x() + end.y() * std::tan(turn / 2), end.y() / std::cos(turn / 2)};
+  }
+  /// Of cubic Bezier pieces. \pre 0 < turn < pi: of the whole corner [rad]
+  static SpiralPair of_beziers(double turn);
+};
+
+/// The two cubic Bezier spirals that round a corner, for users who know nothing else: from
+/// corner - leg * in to corner + leg * out, for unit vectors `in` and `out`. Position, direction
+/// and curvature are continuous where they meet and where they join the legs; the curvature is 0
+/// there, largest where they meet, and monotone in between.
+///
+/// Source: Yang and Sukkarieh 2010, "An analytical continuous-curvature path-smoothing algorithm",
+/// section III, with c1 = (c2 + 4) (c2 + 1) = 7.2353 for its 7.2364, so that the two meet in the
+/// middle. \pre in and out differ, and are not opposite
+inline std::array<CubicBezier, 2> bezier_spirals(const Point& corner, const Point& in,
+                                                 const Point& out, double leg) {
+  constexpr double c2 = 0.5797958971132712;  // 2 (sqrt(6) - 1) / 5
+  constexpr double c3 = (c2 + 4) / ((c2 + 4) * (c2 + 1) + 6);
+  const double g = c2 * c3 * leg, h = c3 * leg;
+  const Point a = advance(corner, -leg, in), b = advance(corner, leg, out);
+  const Point before = advance(a, g + h, in), after = advance(b, -g - h, out);
+  const Point middle = lerp(before, after, 0.5);
+  return {CubicBezier{{a, advance(a, g, in), before, middle}},
+          CubicBezier{{middle, after, advance(b, -g, out), b}}};
+}
+
+inline SpiralPair SpiralPair::of_beziers(double turn) {
+  const auto spirals = bezier_spirals({0, 0}, {1, 0}, {std::cos(turn), std::sin(turn)}, 1);
+  const double peak = curvature(spirals[0], 1);
+  return {peak, peak * spirals[0].end().norm()};
+}
+
+}  // namespace tutavia::detail

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "tutavia/geometry/box.hpp"
+#include "tutavia/geometry/point.hpp"
+
+/// \file
+/// Band: a rectangle along any direction.
+
+namespace tutavia::detail {
+
+/// The rectangle around some points, along the line from the first of them to `end`.
+class Band {
+ public:
+  /// \pre not empty
+  Band(const std::vector<Point>& points, const Point& end) : origin_(points.front()) {
+    const Point way{end.x() - origin_.x(), end.y() - origin_.y()};
+    const double length = way.norm();
+    if (length > 0) along_ = {way.x() / length, way.y() / length};
+    for (const Point& p : points) box_.include(seen(p));
+  }
+
+  /// Whether a point lies more than `margin` outside. Most points in the box of a slanted band do.
+  bool is_far(const Point& p, double margin) const {
+    return !box_.inflated(margin).contains(seen(p));
+  }
+
+  /// Calls `visit(box)` for boxes that together hold the band: one, or several along it where that
+  /// is much less of the plane, `margin` around each counted in.
+  template <class Visit>
+  void for_each_box(double margin, Visit visit) const {
+    const double wide = box_.height() + 2 * margin;
+    const double slant = std::fmin(std::abs(along_.x()), std::abs(along_.y()));
+    const double parts = std::fmin(slant * box_.width() / (4 * wide), 32);
+    const int count = parts >= 2 ? static_cast<int>(parts) : 1;
+    for (int k = 0; k < count; ++k) {
+      const double from = box_.min.x() + box_.width() * k / count;
+      const double to = box_.min.x() + box_.width() * (k + 1) / count;
+      visit(Box::around({at(from, box_.min.y()), at(to, box_.min.y()), at(from, box_.max.y()),
+                         at(to, box_.max.y())}));
+    }
+  }
+
+ private:
+  Point seen(const Point& p) const {
+    const Point v{p.x() - origin_.x(), p.y() - origin_.y()};
+    return {v.dot(along_), cross(along_, v)};
+  }
+  Point at(double x, double y) const {
+    return advance(advance(origin_, x, along_), y, perpendicular(along_));
+  }
+
+  Point origin_;
+  Point along_{1, 0};
+  Box box_;  // as seen from the origin along the band
+};
+
+}  // namespace tutavia::detail

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "tutavia/grid/movement.hpp"
+
+/// \file
+/// Successor tables: which steps a neighbourhood allows, and which of them a search needs.
+
+namespace tutavia::detail {
+
+/// The eight neighbours of a cell, a bit each (1: free), row by row from (x - 1, y - 1).
+using Neighbourhood = std::uint8_t;
+
+/// Stands for "no step": the place of a search's first cell.
+inline constexpr std::size_t no_step = 8;
+
+constexpr std::size_t opposite(std::size_t step) { return (step + 4) % 8; }
+
+/// Where the neighbour in direction `step` stands in a Neighbourhood.
+inline constexpr std::array<unsigned, 8> neighbour_bit{4, 7, 6, 5, 3, 0, 1, 2};
+
+constexpr bool is_free(Neighbourhood around, std::size_t step) {
+  return ((around >> neighbour_bit[step]) & 1u) != 0;
+}
+
+constexpr bool can_step(Neighbourhood around, std::size_t step, MovementRule rule) {
+  if (!is_free(around, step)) return false;
+  if (!is_diagonal(step) || rule == MovementRule::allow) return true;
+  const bool left = is_free(around, (step + 1) % 8), right = is_free(around, step - 1);
+  return rule == MovementRule::no_cut ? left && right
+                                      : rule == MovementRule::no_squeeze && (left || right);
+}
+
+/// The allowed steps for every neighbourhood.
+using SuccessorTable = std::array<StepSet, 256>;
+
+constexpr SuccessorTable successor_table(MovementRule rule) {
+  SuccessorTable table{};
+  for (std::size_t around = 0; around < table.size(); ++around) {
+    for (std::size_t step = 0; step < steps.size(); ++step) {
+      if (can_step(static_cast<Neighbourhood>(around), step, rule)) {
+        table[around] = static_cast<StepSet>(table[around] | (1u << step));
+      }
+    }
+  }
+  return table;
+}
+
+/// For each step of arrival (`no_step`: none) and every neighbourhood, the steps that a search has
+/// to follow: the others lead to cells that some path around the middle reaches at no greater cost.
+/// Of two equal paths the one with its diagonal steps first is followed (with its vertical steps
+/// first where there are no diagonals). Source: Harabor and Grastien 2011, "Online graph pruning
+/// for pathfinding on grid maps", section 3; Sturtevant and Rabin 2016, "Canonical orderings on
+/// grids".
+using CanonicalTable = std::array<SuccessorTable, 9>;
+
+/// Cost of the cheapest way from one neighbour of a cell to another in at most two steps, not by
+/// the cell itself; more steps never pay.
+constexpr Cost cost_around(Neighbourhood around, std::size_t from, std::size_t to,
+                           MovementRule rule) {
+  constexpr Cost none = 1 << 30;
+  const auto free = [&](Cell c) {
+    // The neighbours row by row, without the middle.
+    const int place = 3 * (c.y + 1) + c.x + 1;
+    return place == 4 || ((around >> (place < 4 ? place : place - 1)) & 1) != 0;
+  };
+  const auto step_between = [&](Cell a, Cell b) {
+    const Cell d = b - a;
+    if (d.x < -1 || d.x > 1 || d.y < -1 || d.y > 1 || d == Cell{0, 0}) return none;
+    if (d.x == 0 || d.y == 0) return straight_cost;
+    const bool left = free(a + Cell{d.x, 0}), right = free(a + Cell{0, d.y});
+    const bool can = rule == MovementRule::allow ||
+                     (rule == MovementRule::no_cut && left && right) ||
+                     (rule == MovementRule::no_squeeze && (left || right));
+    return can ? diagonal_cost : none;
+  };
+  Cost best = step_between(steps[from], steps[to]);
+  for (std::size_t middle = 0; middle < steps.size(); ++middle) {
+    if (middle == from || !is_free(around, middle)) continue;
+    best = std::min(
+        best, step_between(steps[from], steps[middle]) + step_between(steps[middle], steps[to]));
+  }
+  return best;
+}
+
+inline CanonicalTable make_canonical_table(MovementRule rule) {
+  CanonicalTable table{};
+  table[no_step] = successor_table(rule);
+  for (std::size_t arrival = 0; arrival < no_step; ++arrival) {
+    const std::size_t from = opposite(arrival);
+    const bool keeps_equal =
+        rule == MovementRule::four_connected ? steps[arrival].x == 0 : is_diagonal(arrival);
+    for (std::size_t i = 0; i < 256; ++i) {
+      const auto around = static_cast<Neighbourhood>(i | (1u << neighbour_bit[from]));
+      for (std::size_t step = 0; step < steps.size(); ++step) {
+        if (((table[no_step][i] >> step) & 1u) == 0 || step == from) continue;
+        const Cost through = step_cost(arrival) + step_cost(step);
+        const Cost past = cost_around(around, from, step, rule);
+        if (past < through || (past == through && !keeps_equal)) continue;
+        table[arrival][i] = static_cast<StepSet>(table[arrival][i] | (1u << step));
+      }
+    }
+  }
+  return table;
+}
+
+/// The successor table of a rule, made at the first use: evaluated by the compiler it would cost
+/// each file that includes the header a fifth of a second.
+inline const SuccessorTable& all_successors(MovementRule rule) {
+  static const std::array<SuccessorTable, 4> tables{
+      successor_table(MovementRule::no_cut), successor_table(MovementRule::no_squeeze),
+      successor_table(MovementRule::allow), successor_table(MovementRule::four_connected)};
+  return tables[static_cast<std::size_t>(rule)];
+}
+
+/// The canonical table of a rule, made at its first use.
+template <MovementRule Rule>
+const CanonicalTable& canonical_table() {
+  static const CanonicalTable table = make_canonical_table(Rule);
+  return table;
+}
+inline const CanonicalTable& canonical_table(MovementRule rule) {
+  switch (rule) {
+    case MovementRule::no_squeeze:
+      return canonical_table<MovementRule::no_squeeze>();
+    case MovementRule::allow:
+      return canonical_table<MovementRule::allow>();
+    case MovementRule::four_connected:
+      return canonical_table<MovementRule::four_connected>();
+    case MovementRule::no_cut:
+      break;
+  }
+  return canonical_table<MovementRule::no_cut>();
+}
+
+}  // namespace tutavia::detail

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "tutavia/grid/occupancy_grid.hpp"
+
+/// \file
+/// Grids with rows and columns exchanged, for what looks along columns.
+
+namespace tutavia::detail {
+
+/// Transposes 64 x 64 bits in place, by swapping ever smaller blocks (Warren 2012, "Hacker's
+/// delight", section 7-3).
+inline void transpose_64(std::array<std::uint64_t, 64>& rows) {
+  std::uint64_t mask = 0xFFFFFFFFu;
+  for (std::size_t width = 32; width > 0; width /= 2, mask ^= mask << width) {
+    for (std::size_t row = 0; row < 64; row = ((row | width) + 1) & ~width) {
+      const std::uint64_t swapped = ((rows[row] >> width) ^ rows[row | width]) & mask;
+      rows[row] ^= swapped << width;
+      rows[row | width] ^= swapped;
+    }
+  }
+}
+
+/// The grid in which cell (y, x) is what cell (x, y) is in `grid`; 64 x 64 cells at a time.
+inline OccupancyGrid transposed(const OccupancyGrid& grid) {
+  OccupancyGrid result = OccupancyGrid::blocked(grid.height(), grid.width(),
+                                                std::int64_t{grid.height()} * grid.width())
+                             .value();
+  // With their padding.
+  const std::size_t rows = static_cast<std::size_t>(grid.height()) + 2;
+  const std::size_t columns = static_cast<std::size_t>(grid.width()) + 2;
+  const std::size_t per_row = grid.stride() / 64, per_column = result.stride() / 64;
+  std::array<std::uint64_t, 64> block;
+  for (std::size_t i = 0; i < per_column; ++i) {
+    for (std::size_t j = 0; j < per_row; ++j) {
+      for (std::size_t k = 0; k < 64; ++k) {
+        block[k] = 64 * i + k < rows ? grid.words()[(64 * i + k) * per_row + j] : 0;
+      }
+      transpose_64(block);
+      for (std::size_t k = 0; k < 64 && 64 * j + k < columns; ++k) {
+        result.bits_[(64 * j + k) * per_column + i] = block[k];
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace tutavia::detail

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// The module metrics: measures of a curve.
+
+#include "tutavia/metrics/path_metrics.hpp"

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+/// \file
+/// DrivePhases: a drive along a line in phases of constant acceleration.
+
+namespace tutavia::detail {
+
+/// A stretch of a line with a limit on the square of the speed.
+struct SpeedStretch {
+  double length = 0;  ///< [m]
+  double limit = 0;   ///< [m^2/s^2]
+};
+
+/// Where a drive is at one time, or its averages over a while.
+struct DriveState {
+  double s = 0;             ///< [m]
+  double speed = 0;         ///< [m/s]
+  double acceleration = 0;  ///< [m/s^2]
+};
+
+/// The limits on the square of the speed where stretches meet and at both ends: the smaller one of
+/// those beside each.
+inline std::vector<double> joint_limits(std::span<const SpeedStretch> stretches) {
+  std::vector<double> limits(stretches.size() + 1, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    limits[i] = std::min(limits[i], stretches[i].limit);
+    limits[i + 1] = stretches[i].limit;
+  }
+  return limits;
+}
+
+/// The squares of the largest speeds at the joints of stretches from which one can brake in time,
+/// under `limits` of their own (one more than there are stretches). O(n).
+inline std::vector<double> squares_to_brake_from(std::span<const SpeedStretch> stretches,
+                                                 std::vector<double> limits, double braking) {
+  for (std::size_t i = stretches.size(); i-- > 0;) {
+    limits[i] = std::min(limits[i], limits[i + 1] + 2 * braking * stretches[i].length);
+  }
+  return limits;
+}
+
+/// A drive in phases of constant acceleration, built from its start on.
+class DrivePhases {
+ public:
+  /// Nothing yet: it will start at this time and place.
+  explicit DrivePhases(double time = 0, double s = 0) : time_(time), s_(s) {}
+
+  /// The fastest drive over stretches: within each it accelerates, keeps the limit and brakes.
+  /// `squares` are those of `squares_to_brake_from`, the first of them that of the speed at the
+  /// start. O(n). Gives the square of the speed at the end.
+  double drive(std::span<const SpeedStretch> stretches, std::span<const double> squares,
+               double acceleration, double braking);
+  /// Keeps a speed, which may be 0, for a while.
+  void keep(double speed, double duration) {
+    if (!(duration > 0)) return;
+    phases_.push_back({time_, s_, speed, 0, duration});
+    advance();
+  }
+
+  double end_time() const { return time_; }
+  /// The state at a time; before the start and after the end, the states there.
+  DriveState at(double time) const;
+  /// Averages over the time from `from` to `to`. \pre from < to, both within the drive
+  DriveState mean(double from, double to) const;
+
+ private:
+  struct Phase {
+    double time, s, speed, acceleration, duration;
+
+    double speed_after(double t) const { return std::max(0.0, speed + acceleration * t); }
+    double s_after(double t) const { return s + t * (speed + 0.5 * acceleration * t); }
+  };
+
+  void append(double length, double from, double to, double acceleration);
+  void advance() {
+    time_ += phases_.back().duration;
+    s_ = phases_.back().s_after(phases_.back().duration);
+  }
+  std::vector<Phase>::const_iterator phase_at(double time) const {
+    return std::upper_bound(phases_.begin() + 1, phases_.end(), time,
+                            [](double t, const Phase& phase) { return t < phase.time; }) -
+           1;
+  }
+
+  std::vector<Phase> phases_;
+  double time_, s_;  // at the end of them
+};
+
+/// From one square of the speed it goes up to the largest that leaves room to brake to the next.
+inline double DrivePhases::drive(std::span<const SpeedStretch> stretches,
+                                 std::span<const double> squares, double acceleration,
+                                 double braking) {
+  const double a = acceleration, b = braking;
+  double from = squares[0];
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const double length = stretches[i].length;
+    const double to = std::min(squares[i + 1], from + 2 * a * length);
+    if (length > 0) {
+      const double reachable = (b * from + a * to + 2 * a * b * length) / (a + b);
+      const double peak = std::max({std::min(reachable, stretches[i].limit), from, to});
+      const double up = (peak - from) / (2 * a), down = (peak - to) / (2 * b);
+      append(up, from, peak, a);
+      append(length - up - down, peak, peak, 0);
+      append(down, peak, to, -b);
+    }
+    from = to;
+  }
+  return from;
+}
+
+inline void DrivePhases::append(double length, double from, double to, double acceleration) {
+  if (!(length > 0)) return;
+  const double speed = std::sqrt(from), mean = 0.5 * (speed + std::sqrt(to));
+  if (!(mean > 0)) return;
+  phases_.push_back({time_, s_, speed, acceleration, length / mean});
+  advance();
+}
+
+inline DriveState DrivePhases::at(double time) const {
+  if (phases_.empty()) return {s_, 0, 0};
+  const Phase& phase = *phase_at(time);
+  const double t = std::clamp(time - phase.time, 0.0, phase.duration);
+  return {phase.s_after(t), phase.speed_after(t), phase.acceleration};
+}
+
+/// A sum over phases, with weights that add up to 1: so averages lie among what they are taken of
+/// although times are rounded.
+inline DriveState DrivePhases::mean(double from, double to) const {
+  DriveState sum;
+  double weight = 0;
+  for (auto phase = phase_at(from); phase != phases_.end() && phase->time < to; ++phase) {
+    const double in = std::max(from - phase->time, 0.0);
+    const double out = std::min(to - phase->time, phase->duration);
+    const double length = out - in, middle = 0.5 * (in + out);
+    if (!(length > 0)) continue;
+    weight += length;
+    sum.s += length * (phase->s_after(middle) + phase->acceleration * length * length / 24);
+    sum.speed += length * phase->speed_after(middle);
+    sum.acceleration += length * phase->acceleration;
+  }
+  if (!(weight > 0)) return at(from);
+  return {sum.s / weight, sum.speed / weight, sum.acceleration / weight};
+}
+
+}  // namespace tutavia::detail

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// The module plan: the words of planning.
+
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
+#include "tutavia/plan/statistics.hpp"

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// The module search: every searcher.
+
+#include "tutavia/search/ant_colony.hpp"
+#include "tutavia/search/any_angle.hpp"
+#include "tutavia/search/astar.hpp"
+#include "tutavia/search/bidirectional_astar.hpp"
+#include "tutavia/search/canonical_astar.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/dijkstra.hpp"
+#include "tutavia/search/flow_field.hpp"
+#include "tutavia/search/heuristic.hpp"
+#include "tutavia/search/improved_rea_star.hpp"
+#include "tutavia/search/informed_rrt_star.hpp"
+#include "tutavia/search/jps.hpp"
+#include "tutavia/search/jps_plus.hpp"
+#include "tutavia/search/jps_theta_star.hpp"
+#include "tutavia/search/jump_table.hpp"
+#include "tutavia/search/navigation_mesh.hpp"
+#include "tutavia/search/penalty_astar.hpp"
+#include "tutavia/search/query_checks.hpp"
+#include "tutavia/search/rea_star.hpp"
+#include "tutavia/search/risk_zone.hpp"
+#include "tutavia/search/rrt.hpp"
+#include "tutavia/search/rrt_connect.hpp"
+#include "tutavia/search/rrt_star.hpp"
+#include "tutavia/search/safe_rrt_star.hpp"
+#include "tutavia/search/sb_rea_star.hpp"
+#include "tutavia/search/search_record.hpp"
+#include "tutavia/search/ssa_astar.hpp"
+#include "tutavia/search/tangent_graph.hpp"
+#include "tutavia/search/tangent_map.hpp"
+#include "tutavia/search/theta_star.hpp"
+#include "tutavia/search/weighted_astar.hpp"

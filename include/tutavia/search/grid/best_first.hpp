@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "tutavia/core/budget.hpp"
+#include "tutavia/grid/movement.hpp"
+#include "tutavia/plan/statistics.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/grid/open_heap.hpp"
+#include "tutavia/search/grid/stamped_labels.hpp"
+#include "tutavia/search/query_checks.hpp"
+
+/// \file
+/// The best-first core that Dijkstra, A* and their kin share.
+
+namespace tutavia::detail {
+
+using NodeId = std::uint32_t;
+
+/// A graph to search: nodes 0 ... size() - 1, among them `source()` and `target()`;
+/// `for_each_successor(node, visit)` calls `visit(successor, cost)` with costs >= 0; `point(node)`
+/// is the node's place in the plane (for observers).
+template <class G>
+concept SearchGraph = requires(const G& g, NodeId n, void (*visit)(NodeId, Cost)) {
+  { g.size() } -> std::convertible_to<std::size_t>;
+  { g.source() } -> std::same_as<NodeId>;
+  { g.target() } -> std::same_as<NodeId>;
+  { g.point(n) } -> std::convertible_to<Point>;
+  g.for_each_successor(n, visit);
+};
+
+/// Labels and open list of a best-first search, kept from one query to the next: labels carry the
+/// number of the query that wrote them, so nothing is cleared and, once warm, nothing allocated.
+class BestFirstScratch {
+ public:
+  struct Label {
+    Cost g = 0;
+    NodeId parent = 0;
+    std::uint32_t query = 0;
+  };
+
+  /// What waits in the open list. Smaller f first; among equals the larger g (nearer to the goal),
+  /// then the earlier one, so that the order never depends on the heap.
+  struct Entry {
+    Cost f;
+    Cost g;
+    std::uint64_t sequence;
+    NodeId node;
+
+    friend bool operator<(const Entry& a, const Entry& b) {  // worse < better
+      if (a.f != b.f) return a.f > b.f;
+      if (a.g != b.g) return a.g < b.g;
+      return a.sequence > b.sequence;
+    }
+  };
+
+  /// For the points of the path while it is read from the labels.
+  std::vector<Point>& points() { return points_; }
+
+  void begin(std::size_t size) {
+    labels_.begin(size);
+    open_.clear();
+    sequence_ = 0;
+  }
+
+  /// The node's label, or nullptr where this query has not reached it.
+  const Label* find(NodeId node) const { return labels_.find(node); }
+
+  /// Writes the label and puts the node into the open list.
+  void push(NodeId node, NodeId parent, Cost g, Cost f) {
+    labels_.set(node, {g, parent});
+    open_.push({f, g, sequence_++, node});
+  }
+
+  /// The best entry that is still current, or nothing when the open list is empty.
+  std::optional<Entry> pop() {
+    while (!open_.empty()) {
+      const Entry entry = open_.pop();
+      if (entry.g == labels_[entry.node].g) return entry;  // else a better one overtook it
+    }
+    return std::nullopt;
+  }
+
+ private:
+  QueryLabels<Label> labels_;
+  OpenList<Entry> open_;
+  std::vector<Point> points_;
+  std::uint64_t sequence_ = 0;
+};
+
+/// Searches from the source to the target, least g + heuristic(node) first, and stops when the
+/// target is taken from the open list. Nodes are re-opened when a cheaper way is found, so an
+/// admissible heuristic gives a cheapest path whether or not it is consistent. The path stands in
+/// the labels' parents. Returns what stopped it, if not the target: `unreachable` when the open
+/// list ran empty, or what the budget says. Source: Hart, Nilsson and Raphael 1968, "A formal basis
+/// for the heuristic determination of minimum cost paths"; with heuristic 0: Dijkstra 1959.
+template <SearchGraph Graph, std::invocable<NodeId> Heuristic, Observer O>
+std::optional<PlanError> best_first(const Graph& graph, const Heuristic& heuristic,
+                                    BestFirstScratch& scratch, const Budget& budget, O& observer,
+                                    Statistics& stats) {
+  scratch.begin(graph.size());
+  const auto reach = [&](NodeId node, NodeId parent, Cost g) {
+    const auto* label = scratch.find(node);
+    if (label != nullptr && label->g <= g) return;
+    scratch.push(node, parent, g, g + heuristic(node));
+    ++stats.generated;
+    observer.generated(graph.point(node));
+  };
+  reach(graph.source(), graph.source(), 0);
+  while (const auto entry = scratch.pop()) {
+    if (entry->node == graph.target()) return std::nullopt;
+    if (stats.expanded >= budget.max_expansions) return PlanError::budget_exhausted;
+    if (stats.expanded % 256 == 0) {
+      if (const auto exceeded = budget.exceeded()) return to_error(*exceeded);
+    }
+    ++stats.expanded;
+    observer.expanded(graph.point(entry->node));
+    graph.for_each_successor(entry->node, [&](NodeId successor, Cost cost) {
+      reach(successor, entry->node, entry->g + cost);
+    });
+  }
+  return PlanError::unreachable;
+}
+
+}  // namespace tutavia::detail

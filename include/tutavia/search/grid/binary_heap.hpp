@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "tutavia/grid/movement.hpp"
+#include "tutavia/search/grid/open_heap.hpp"
+
+/// \file
+/// JumpHeap: an open list for keys that may fall.
+
+namespace tutavia::detail {
+
+/// A binary heap with the interface of JumpQueue, for heuristics that are not consistent. Among
+/// equal keys the entry pushed last comes first.
+class JumpHeap {
+ public:
+  struct Entry {
+    Cost key;
+    std::uint32_t sequence;
+    std::uint32_t node;
+    std::uint32_t note;  ///< the searcher's own
+
+    friend bool operator<(const Entry& a, const Entry& b) {  // worse < better
+      return a.key != b.key ? a.key > b.key : a.sequence < b.sequence;
+    }
+  };
+
+  static constexpr Cost width = 1;  ///< keys are told apart exactly
+
+  /// Empties the heap.
+  void begin(Cost) {
+    entries_.clear();
+    sequence_ = 0;
+  }
+
+  bool empty() const { return entries_.empty(); }
+
+  void push(Cost key, std::uint32_t node, std::uint32_t note) {
+    entries_.push({key, sequence_++, node, note});
+  }
+
+  /// The least key. \pre not empty
+  Cost advance() const { return entries_.top().key; }
+
+  /// Takes an entry with the least key. \pre not empty
+  Entry pop() { return entries_.pop(); }
+
+ private:
+  OpenList<Entry> entries_;
+  std::uint32_t sequence_ = 0;
+};
+
+}  // namespace tutavia::detail

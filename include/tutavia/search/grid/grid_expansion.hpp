@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "tutavia/grid/bitboard/successors.hpp"
+#include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/plan/statistics.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/grid/bucket_queue.hpp"
+#include "tutavia/search/grid/grid_labels.hpp"
+#include "tutavia/search/grid/grid_query.hpp"
+#include "tutavia/search/heuristic.hpp"
+#include "tutavia/world/frame.hpp"
+
+/// \file
+/// GridWave: best-first search over the cells of a grid, as fast as it gets.
+
+namespace tutavia::detail {
+
+/// Memory of one wave; kept from query to query.
+struct GridWaveScratch {
+  GridLabels labels;
+  Buckets buckets;
+};
+
+/// A heuristic by which a wave can be ordered in buckets: a function of cells, and the logarithm of
+/// how wide the buckets are (see BucketQueue).
+template <class H>
+concept WaveHeuristic = requires(const H& heuristic, Cell cell) {
+  { heuristic(cell) } -> std::same_as<Cost>;
+  { H::bucket_shift } -> std::convertible_to<int>;
+};
+
+/// One wave of expansions from a set of first cells, least f = g + h first. A* is one wave, and so
+/// is Dijkstra's algorithm; bidirectional search is two.
+///
+/// `Canonical` waves follow only the successors of the canonical table, which reach every cell by a
+/// path as cheap.
+template <bool Canonical, WaveHeuristic Heuristic, Observer O>
+class GridWave {
+ public:
+  /// A cell taken from the open list; its label is up to date.
+  struct Popped {
+    std::uint32_t index;
+    Cell cell;
+    Cost g;
+    std::size_t arrival;
+  };
+
+  /// Begins at cells that are reached from outside the grid, each at a cost.
+  GridWave(const OccupancyGrid& grid, MovementRule rule, const Frame& frame,
+           const Heuristic& heuristic, std::span<const CellLink> seeds, GridWaveScratch& scratch,
+           O& observer)
+      : grid_(grid.view()),
+        tables_(Canonical ? canonical_table(rule).data() : &all_successors(rule)),
+        frame_(frame),
+        heuristic_(heuristic),
+        labels_(scratch.labels.begin(grid.index_count())),
+        open_(scratch.buckets, least_f(heuristic, seeds)),
+        observer_(observer) {
+    for (std::size_t step = 0; step < steps.size(); ++step) {
+      offsets_[step] = static_cast<std::uint32_t>(grid.index(steps[step]) - grid.index({0, 0}));
+    }
+    for (const auto& [cell, cost] : seeds) {
+      reach(static_cast<std::uint32_t>(grid_.index(cell)), cell, cost, no_step);
+    }
+  }
+
+  /// Takes the next cell with f < limit; nothing when there is none.
+  bool pop(Cost limit, Popped& out) {
+    while (!open_.empty()) {
+      const Cost bucket = open_.advance();
+      if (bucket >= limit) return false;
+      const BucketEntry entry = open_.pop();
+      const std::uint64_t label = labels_[entry.node];
+      if (LabelWords::note(label) != entry.note) continue;  // a better way has overtaken it
+      const Cell cell = grid_.cell(entry.node);
+      const Cost g = labels_.words().g(label);
+      if (bucket > limit - open_.width && g + heuristic_(cell) >= limit) continue;
+      out = {entry.node, cell, g, LabelWords::arrival(label)};
+      return true;
+    }
+    return false;
+  }
+
+  void expand(const Popped& from) {
+    ++expanded_;
+    if constexpr (!std::same_as<O, NoObserver>) observer_.expanded(frame_.point(from.cell));
+    unsigned left = tables_[Canonical ? from.arrival : 0][grid_.neighbourhood(from.index)];
+    const bool has_parent = !Canonical && from.arrival != no_step;
+    if (has_parent) left &= ~(1u << opposite(from.arrival));
+    while (left != 0) {
+      const auto step = static_cast<unsigned>(std::countr_zero(left));
+      left &= left - 1;
+      reach(from.index + offsets_[step], from.cell + steps[step], from.g + step_cost(step), step);
+    }
+  }
+
+  /// f of a cell taken from the open list.
+  Cost f(const Popped& popped) const { return popped.g + heuristic_(popped.cell); }
+
+  const GridLabels::View& labels() const { return labels_; }
+  std::uint64_t expanded() const { return expanded_; }
+  std::uint64_t generated() const { return generated_; }
+  /// Cells labelled and not yet expanded, about.
+  std::uint64_t open_cells() const { return generated_ - expanded_; }
+
+ private:
+  static Cost least_f(const Heuristic& heuristic, std::span<const CellLink> seeds) {
+    Cost least = std::numeric_limits<Cost>::max();
+    for (const auto& [cell, cost] : seeds) least = std::min(least, cost + heuristic(cell));
+    return least;
+  }
+
+  void reach(std::uint32_t index, Cell cell, Cost g, std::size_t step) {
+    const std::uint64_t label = labels_.words().word(g, step);
+    if (!labels_.improve(index, label)) return;
+    ++generated_;
+    if constexpr (!std::same_as<O, NoObserver>) observer_.generated(frame_.point(cell));
+    if (step != no_step) labels_.prefetch(index + offsets_[step]);  // likely to be next
+    open_.push(g + heuristic_(cell), index, LabelWords::note(label));
+  }
+
+  OccupancyGrid::View grid_;
+  const SuccessorTable* tables_;  // by the step of arrival; not canonical: one for all
+  const Frame& frame_;
+  Heuristic heuristic_;
+  GridLabels::View labels_;
+  BucketQueue<Heuristic::bucket_shift> open_;
+  O& observer_;
+  std::uint64_t expanded_ = 0;
+  std::uint64_t generated_ = 0;
+  std::array<std::uint32_t, 8> offsets_{};
+};
+
+}  // namespace tutavia::detail

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tutavia/search/grid/best_first.hpp"
+#include "tutavia/search/grid/grid_query.hpp"
+
+/// \file
+/// GridGraph: a grid with a query's start and goal joined to it, as a SearchGraph.
+
+namespace tutavia::detail {
+
+/// What the steps on a grid cost: `price(cell, step)` is the price of a step from a cell, in
+/// 1 / `scale` of the usual unit of cost.
+template <class P>
+concept StepPrices = requires(const P& prices, Cell cell, std::size_t step) {
+  { P::scale } -> std::convertible_to<Cost>;
+  { prices.price(cell, step) } -> std::same_as<Cost>;
+};
+
+/// Steps at their plain cost.
+struct PlainPrices {
+  static constexpr Cost scale = 1;
+  Cost price(Cell, std::size_t step) const { return step_cost(step); }
+};
+
+/// The graph of a grid's free cells (node = cell index) and two more nodes for start and goal.
+/// The links cost what they are long.
+template <GridSpace S, StepPrices Prices = PlainPrices>
+class GridGraph {
+ public:
+  GridGraph(const S& space, const Query& query, const LinkedQuery& linked, const Prices& prices)
+      : space_(space),
+        grid_(space.grid().view()),
+        cells_(space.grid().index_count()),
+        table_(all_successors(space.movement())),
+        query_(query),
+        linked_(linked),
+        prices_(prices) {}
+
+  std::size_t size() const { return cells_ + 2; }
+  NodeId source() const { return static_cast<NodeId>(cells_); }
+  NodeId target() const { return source() + 1; }
+
+  Point point(NodeId node) const {
+    if (node == source()) return query_.start;
+    if (node == target()) return query_.goal;
+    return space_.frame().point(grid_.cell(node));
+  }
+
+  template <class Visit>
+  void for_each_successor(NodeId node, Visit visit) const {
+    if (node == source()) {
+      for (const auto& [cell, cost] : linked_.starts) visit(id(cell), Prices::scale * cost);
+      return;
+    }
+    const Cell cell = grid_.cell(node);
+    for (unsigned left = table_[grid_.neighbourhood(node)]; left != 0; left &= left - 1) {
+      const auto step = static_cast<std::size_t>(std::countr_zero(left));
+      visit(id(cell + steps[step]), prices_.price(cell, step));
+    }
+    if (const auto cost = linked_.exit_cost(cell)) visit(target(), Prices::scale * *cost);
+  }
+
+  /// The path that a finished search left in its labels, from the goal's cell back to the start's.
+  void path(const BestFirstScratch& scratch, std::vector<Cell>& cells) const {
+    for (NodeId node = scratch.find(target())->parent; node != source();
+         node = scratch.find(node)->parent) {
+      append_cell(cells, grid_.cell(node));
+    }
+  }
+
+  Cell cell(NodeId node) const { return grid_.cell(node); }
+
+ private:
+  NodeId id(Cell cell) const { return static_cast<NodeId>(grid_.index(cell)); }
+
+  const S& space_;
+  OccupancyGrid::View grid_;
+  std::size_t cells_;
+  const SuccessorTable& table_;
+  const Query& query_;
+  const LinkedQuery& linked_;
+  const Prices& prices_;
+};
+
+/// Memory of the searches on a GridGraph.
+struct GridGraphScratch {
+  BestFirstScratch best_first;
+  std::vector<Cell> cells;
+};
+
+/// Best-first search on a GridGraph. `make_estimate(linked)` is a function that estimates the price
+/// from a cell to the goal. The route's cost is the price paid, in metres. The straight segment is
+/// tried first where steps have their plain cost.
+template <GridSpace S, StepPrices Prices, std::invocable<const LinkedQuery&> MakeEstimate,
+          Observer O>
+Expected<Route, Failure> graph_search(const S& space, const Query& query, GridGraphScratch& scratch,
+                                      O& observer, const Prices& prices,
+                                      const MakeEstimate& make_estimate) {
+  std::optional<Cost> paid;
+  auto route = search_grid(
+      space, query, scratch.cells,
+      [&](const LinkedQuery& linked, std::vector<Cell>& cells,
+          Statistics& stats) -> std::optional<Failure> {
+        const GridGraph<S, Prices> graph(space, query, linked, prices);
+        const auto estimate = make_estimate(linked);
+        const auto heuristic = [&](NodeId node) -> Cost {
+          return node >= graph.source() ? 0 : estimate(graph.cell(node));
+        };
+        const auto stopped =
+            best_first(graph, heuristic, scratch.best_first, query.budget, observer, stats);
+        if (stopped) return Failure{.code = *stopped};
+        graph.path(scratch.best_first, cells);
+        paid = scratch.best_first.find(graph.target())->g;
+        return std::nullopt;
+      },
+      Prices::scale == 1);
+  if (route && paid) {
+    route->cost = in_metres(*paid, space.frame().resolution, Prices::scale * straight_cost);
+  }
+  return route;
+}
+
+}  // namespace tutavia::detail

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tutavia/core/assert.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
+#include "tutavia/search/query_checks.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// LinkedQuery: a query in terms of cells.
+
+namespace tutavia::detail {
+
+/// A cost in metres; `straight` is what a straight step costs.
+inline double in_metres(Cost cost, double resolution, Cost straight = straight_cost) {
+  return static_cast<double>(cost) * resolution / static_cast<double>(straight);
+}
+
+/// A cell that the start or the goal is joined to, and what the link costs.
+struct CellLink {
+  Cell cell{};
+  Cost cost = 0;
+};
+
+/// The links of one end; a fixed capacity keeps searches free of allocation.
+class CellLinks {
+ public:
+  CellLinks() = default;
+  /// Lengths become cost units, rounded up.
+  CellLinks(const Links& links, double resolution) {
+    for (const Link& link : links) {
+      links_[size_++] = {
+          link.cell, static_cast<Cost>(
+                         std::ceil(link.length / resolution * static_cast<double>(straight_cost)))};
+    }
+  }
+
+  std::size_t size() const { return size_; }
+  const CellLink* data() const { return links_.data(); }
+  const CellLink* begin() const { return links_.data(); }
+  const CellLink* end() const { return links_.data() + size_; }
+
+  /// Whether the end is the reference point of a cell.
+  bool is_cell() const { return size_ == 1 && links_[0].cost == 0; }
+  /// What the link to a cell costs, if there is one.
+  std::optional<Cost> cost_of(Cell cell) const {
+    for (const CellLink& link : *this) {
+      if (link.cell == cell) return link.cost;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::array<CellLink, Links::capacity> links_{};
+  std::size_t size_ = 0;
+};
+
+/// Start and goal of a query joined to a grid.
+struct LinkedQuery {
+  CellLinks starts;
+  CellLinks goals;
+  Cell start_cell{};  ///< nearest to the start
+  Cell goal_cell{};   ///< nearest to the goal; goals lie no more than one step from it
+
+  /// Octile distance to `goal_cell` plus this is a consistent estimate of the cost to the goal: the
+  /// least that any goal link adds to the octile distance to it, which may be negative.
+  Cost goal_offset = 0;
+  /// Whether the straight segment between start and goal is free and to be taken.
+  bool is_straight = false;
+
+  LinkedQuery reversed() const {
+    LinkedQuery result{goals, starts, goal_cell, start_cell};
+    result.goal_offset = least_offset(starts, start_cell);
+    return result;
+  }
+
+  /// Whether a cell is `goal_cell` or next to it; all others have no link to the goal.
+  bool near_goal(Cell cell) const {
+    const Cell d = cell - goal_cell;
+    return -1 <= d.x && d.x <= 1 && -1 <= d.y && d.y <= 1;
+  }
+
+  /// Cost of leaving the grid for the goal at a cell, if that is possible.
+  std::optional<Cost> exit_cost(Cell cell) const {
+    if (!near_goal(cell)) return std::nullopt;
+    return goals.cost_of(cell);
+  }
+
+  static Cost least_offset(const CellLinks& goals, Cell goal_cell) {
+    Cost offset = std::numeric_limits<Cost>::max();
+    for (const auto& [cell, cost] : goals) {
+      offset = std::min(offset, cost - octile_cost(cell, goal_cell));
+    }
+    return offset;
+  }
+};
+
+/// Adds the next cell to a path of cells in which only turns are kept: a cell in line with the two
+/// before takes the place of the last, and the last is not repeated.
+inline void append_cell(std::vector<Cell>& cells, Cell cell) {
+  if (!cells.empty() && cells.back() == cell) return;
+  if (cells.size() >= 2) {
+    const Cell a = cells[cells.size() - 2], b = cells.back();
+    const auto sign = [](int v) { return (v > 0) - (v < 0); };
+    const Cell before = b - a, after = cell - b;
+    if (sign(before.x) == sign(after.x) && sign(before.y) == sign(after.y) &&
+        std::int64_t{before.x} * after.y == std::int64_t{before.y} * after.x) {
+      cells.back() = cell;
+      return;
+    }
+  }
+  cells.push_back(cell);
+}
+
+/// Joins start and goal to the grid. Errors: those of `check_query`; `start_blocked` and
+/// `goal_blocked` also where no cell around the point can be reached from it, unless the straight
+/// segment will do (`straight`).
+template <LinkedSpace S>
+Expected<LinkedQuery, Failure> link_query(const S& space, const Query& query, bool tries_straight) {
+  if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
+  const Frame& frame = space.frame();
+  LinkedQuery linked{{space.links(query.start), frame.resolution},
+                     {space.links(query.goal), frame.resolution},
+                     frame.nearest_cell(query.start),
+                     frame.nearest_cell(query.goal)};
+  const bool on_grid = linked.starts.is_cell() && linked.goals.is_cell();
+  if (tries_straight && !on_grid && space.segment_free(query.start, query.goal)) {
+    linked.is_straight = true;
+    return linked;
+  }
+  if (linked.starts.size() == 0) {
+    return fail(PlanError::start_blocked, "the start has no link to the grid at this resolution");
+  }
+  if (linked.goals.size() == 0) {
+    return fail(PlanError::goal_blocked, "the goal has no link to the grid at this resolution");
+  }
+  linked.goal_offset = LinkedQuery::least_offset(linked.goals, linked.goal_cell);
+  return linked;
+}
+
+/// What a search on a grid says of its failure.
+inline Failure grid_failure(Failure failure, const Statistics& stats, double resolution) {
+  if (failure.code == PlanError::unreachable) {
+    failure.code = PlanError::unreachable_at_resolution;
+    failure.detail = "no path on the grid at resolution " + std::to_string(resolution) + " m";
+  } else if (failure.code == PlanError::budget_exhausted) {
+    failure.detail = "search stopped after " + std::to_string(stats.expanded) + " expansions";
+  }
+  failure.stats = stats;
+  return failure;
+}
+
+/// The polyline from start to goal through `cells`, which lead from the goal's cell back to the
+/// start's. A cell that coincides with the start or the goal gives way to it.
+inline Curve path_through(const std::vector<Cell>& cells, const LinkedQuery& linked,
+                          const Query& query, const Frame& frame) {
+  auto first = cells.rbegin(), last = cells.rend();
+  if (first != last && linked.starts.cost_of(*first) == Cost{0}) ++first;
+  if (first != last && linked.goals.cost_of(cells.front()) == Cost{0}) --last;
+  Curve path;
+  path.reserve(cells.size() + 1);
+  Point previous = query.start;
+  const auto go = [&](const Point& p) {
+    path.push_back(Segment{previous, p});
+    previous = p;
+  };
+  for (; first != last; ++first) go(frame.point(*first));
+  if (previous != query.goal || path.empty()) go(query.goal);
+  return path;
+}
+
+/// What every search on a grid does around its core. Start and goal are linked to the grid; unless
+/// both are cells themselves, the straight segment between them is tried first (if
+/// `straight_first`). `run(linked, cells, stats)` searches the grid: it fills `cells` with a path
+/// from the goal's cell back to the start's in which the straight way from one to the next is free,
+/// or returns what stopped it.
+///
+/// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also where no cell around the
+/// point can be reached from it; `unreachable_at_resolution`; what `run` says.
+template <LinkedSpace S, std::invocable<const LinkedQuery&, std::vector<Cell>&, Statistics&> Run>
+Expected<Route, Failure> search_grid(const S& space, const Query& query, std::vector<Cell>& cells,
+                                     Run run, bool straight_first = true) {
+  const auto linked = link_query(space, query, straight_first);
+  if (!linked) return Unexpected{linked.error()};
+  const Frame& frame = space.frame();
+  Route route;
+  cells.clear();
+  if (!linked->is_straight) {
+    if (std::optional<Failure> failure = run(*linked, cells, route.stats)) {
+      return Unexpected{grid_failure(std::move(*failure), route.stats, frame.resolution)};
+    }
+  }
+  route.curve = path_through(cells, *linked, query, frame);
+  route.cost = route.curve.length();
+  return route;
+}
+
+}  // namespace tutavia::detail

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/parts/compiler.hpp"
+#include "tutavia/grid/bitboard/successors.hpp"
+#include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/grid_query.hpp"
+#include "tutavia/search/grid/label_map.hpp"
+#include "tutavia/search/grid/wide_bucket_queue.hpp"
+#include "tutavia/search/heuristic.hpp"
+#include "tutavia/search/query_checks.hpp"
+
+/// \file
+/// Jump point search: what the online and the prepared variant share.
+
+namespace tutavia::detail {
+
+/// Cost of the straight line between two cells' reference points, rounded up.
+inline Cost euclidean_cost(Cell a, Cell b) {
+  const double dx = double{1} * a.x - b.x, dy = double{1} * a.y - b.y;
+  return static_cast<Cost>(
+      std::ceil(static_cast<double>(straight_cost) * std::sqrt(dx * dx + dy * dy)));
+}
+
+/// The open list of a jump point search: JumpQueue, for estimates that are consistent, or JumpHeap.
+///
+/// `begin(least)` empties it, and no key will be less. `push(key, node, note)` puts an entry in.
+/// `advance()` is a lower bound of all keys, less than `width` below that of the entry which
+/// `pop()` then takes out.
+template <class L>
+concept JumpOpenList = std::default_initializable<L> &&
+    requires(L& open, const L& constant, Cost key, std::uint32_t number) {
+  { L::width } -> std::convertible_to<Cost>;
+  open.begin(key);
+  { constant.empty() } -> std::same_as<bool>;
+  open.push(key, number, number);
+  { open.advance() } -> std::same_as<Cost>;
+  { open.pop().node } -> std::convertible_to<std::uint32_t>;
+  { open.pop().note } -> std::convertible_to<std::uint32_t>;
+};
+
+/// What jumps for a JumpSearch.
+///
+/// `straight<Step>(cell)` is the number of steps to the jump point in that direction, or -n where
+/// there are n steps to a wall. `diagonal<Step>(cell, goal, visit)` calls `visit(k, horizontal,
+/// vertical)` for each number k of diagonal steps after which one of the two straight jumps from
+/// there leads to a jump point, or to a goal next to the cell `goal`; the jumps are as `straight`
+/// has them.
+template <class S>
+concept JumpScanner = requires(const S& scanner, Cell cell, void (*visit)(int, int, int)) {
+  { scanner.template straight<0>(cell) } -> std::same_as<int>;
+  { scanner.template straight<2>(cell) } -> std::same_as<int>;
+  { scanner.template straight<4>(cell) } -> std::same_as<int>;
+  { scanner.template straight<6>(cell) } -> std::same_as<int>;
+  scanner.template diagonal<1>(cell, cell, visit);
+  scanner.template diagonal<3>(cell, cell, visit);
+  scanner.template diagonal<5>(cell, cell, visit);
+  scanner.template diagonal<7>(cell, cell, visit);
+};
+
+/// A scanner that reads ahead: `prefetch(cell)` announces a cell that will be jumped from.
+template <class S>
+concept PrefetchingScanner = JumpScanner<S> && requires(const S& scanner, Cell cell) {
+  scanner.prefetch(cell);
+};
+
+/// What guides a JumpSearch: `Open` is the type of its open list, `estimate(cell)` what the way
+/// from a cell to the goal may cost.
+template <class G>
+concept JumpGuide = JumpOpenList<typename G::Open> && requires(const G& guide, Cell cell) {
+  { guide.estimate(cell) } -> std::same_as<Cost>;
+};
+
+/// A guide that looks back: the jump points that a cell's parent sees, by `sees(a, b)`, become the
+/// parent's own.
+template <class G>
+concept LookBackGuide = JumpGuide<G> && requires(const G& guide, Cell cell) {
+  { guide.sees(cell, cell) } -> std::same_as<bool>;
+};
+
+/// Memory of a jump point search.
+template <JumpOpenList Open>
+struct JumpScratchWith {
+  JumpLabels labels;
+  Open open;
+  std::vector<Cell> cells;
+};
+using JumpScratch = JumpScratchWith<JumpQueue>;
+
+/// What guides jump point search proper: octile distance, and no looking back.
+struct OctileGuide {
+  using Open = JumpQueue;
+
+  explicit OctileGuide(const LinkedQuery& linked) : octile{linked.goal_cell, linked.goal_offset} {}
+  Cost estimate(Cell cell) const { return octile(cell); }
+
+  OctileHeuristic octile;
+};
+
+/// A* over the jump points of a grid under `no_cut`.
+///
+/// Only cells with a forced neighbour enter the open list; diagonal jump points, where a path does
+/// nothing but turn, are passed on the way. Goals are met while jumping and never enter it either.
+template <JumpScanner Scanner, JumpGuide Guide, Observer O>
+class JumpSearch {
+ public:
+  JumpSearch(const OccupancyGrid& grid, const Frame& frame, const Scanner& scanner,
+             const Guide& guide, const LinkedQuery& linked,
+             JumpScratchWith<typename Guide::Open>& scratch, O& observer, Statistics& stats)
+      : grid_(grid.view()),
+        frame_(frame),
+        scanner_(scanner),
+        guide_(guide),
+        table_(canonical_table(MovementRule::no_cut)),
+        linked_(linked),
+        labels_(scratch.labels),
+        open_(scratch.open),
+        observer_(observer),
+        stats_(stats) {}
+
+  std::optional<Failure> run(const Budget& budget) {
+    labels_.begin();
+    Cost least = none;
+    for (const auto& [cell, cost] : linked_.starts) least = std::min(least, cost + estimate(cell));
+    open_.begin(least);
+    for (const auto& [cell, cost] : linked_.starts) {
+      note(cell, cost, no_step);
+      reach_noted(cell);
+      leave_at(cell, cost, cell);
+    }
+    while (!open_.empty()) {
+      const Cost least_key = open_.advance();
+      if (least_key >= best_) break;
+      const auto entry = open_.pop();
+      const std::uint64_t label = labels_[entry.node].word;
+      if (LabelWords::note(label) != entry.note) continue;  // a better way has overtaken it
+      const Cell cell = grid_.cell(entry.node);
+      const Cost g = labels_.words().g(label);
+      if (least_key > best_ - Open::width && g + estimate(cell) >= best_) continue;
+      if (is_checked(budget, stats_.expanded, 64)) {
+        if (auto failure = exceeded(budget, stats_.expanded)) return failure;
+      }
+      expand(cell, g, LabelWords::arrival(label));
+    }
+    if (best_ == none) return Failure{.code = PlanError::unreachable};
+    return std::nullopt;
+  }
+
+  /// The path found, from the goal's cell back to the start's: every cell where it may turn.
+  void trace(std::vector<Cell>& cells) {
+    Cell to = best_goal_, from = best_parent_;
+    cells.push_back(to);
+    while (true) {
+      if (from != to) {
+        // A jump runs along its diagonal first.
+        const int dx = to.x - from.x, dy = to.y - from.y;
+        const int diagonal = std::min(std::abs(dx), std::abs(dy));
+        const Cell turn{from.x + diagonal * sign(dx), from.y + diagonal * sign(dy)};
+        const bool bends = turn != from && turn != to && !sees(from, to);
+        if (bends) cells.push_back(turn);
+        cells.push_back(from);
+      }
+      const auto index = static_cast<std::uint32_t>(grid_.index(from));
+      const JumpLabels::Label& label = labels_[index];
+      if (LabelWords::arrival(label.word) == no_step) return;
+      to = from;
+      from = grid_.cell(label.parent);
+    }
+  }
+
+ private:
+  using Open = typename Guide::Open;
+  static constexpr Cost none = std::numeric_limits<Cost>::max();
+
+  static int sign(int value) { return (value > 0) - (value < 0); }
+
+  Cost estimate(Cell cell) const { return guide_.estimate(cell); }
+
+  void expand(Cell from, Cost g, std::size_t arrival) {
+    ++stats_.expanded;
+    if constexpr (!std::same_as<O, NoObserver>) observer_.expanded(frame_.point(from));
+    const StepSet successors = table_[arrival][grid_.neighbourhood(grid_.index(from))];
+    const auto has = [&](std::size_t step) { return ((successors >> step) & 1u) != 0; };
+    if (has(0)) jump<0>(from, scanner_.template straight<0>(from), g, from);
+    if (has(2)) jump<2>(from, scanner_.template straight<2>(from), g, from);
+    if (has(4)) jump<4>(from, scanner_.template straight<4>(from), g, from);
+    if (has(6)) jump<6>(from, scanner_.template straight<6>(from), g, from);
+    if (has(1)) jump_diagonally<1>(from, g);
+    if (has(3)) jump_diagonally<3>(from, g);
+    if (has(5)) jump_diagonally<5>(from, g);
+    if (has(7)) jump_diagonally<7>(from, g);
+    reach_noted(from);
+  }
+
+  template <std::size_t Step>
+  void jump_diagonally(Cell from, Cost g) {
+    constexpr Cell d = steps[Step];
+    scanner_.template diagonal<Step>(from, linked_.goal_cell,
+                                     [&](int k, int horizontal, int vertical) {
+                                       const Cell cell{from.x + k * d.x, from.y + k * d.y};
+                                       const Cost cost = g + k * diagonal_cost;
+                                       leave_at(cell, cost, from);
+                                       jump<d.x == 1 ? 0 : 4>(cell, horizontal, cost, from);
+                                       jump<d.y == 1 ? 2 : 6>(cell, vertical, cost, from);
+                                     });
+  }
+
+  /// Follows a straight jump from `cell`, which is reached from `parent`.
+  template <std::size_t Step>
+  TUTAVIA_ALWAYS_INLINE void jump(Cell cell, int stop, Cost g, Cell parent) {
+    constexpr Cell d = steps[Step];
+    const int aside = d.x != 0 ? linked_.goal_cell.y - cell.y : linked_.goal_cell.x - cell.x;
+    if (-1 <= aside && aside <= 1) {
+      for (const auto& [goal, exit] : linked_.goals) {
+        const Cell to = goal - cell;
+        const int along = to.x * d.x + to.y * d.y;
+        const bool ahead = (d.x != 0 ? to.y : to.x) == 0 && along > 0 && along <= std::abs(stop);
+        if (ahead) meet_goal(goal, g + along * straight_cost + exit, parent);
+      }
+    }
+    if (stop > 0) {
+      if (noted_ == reached_.size()) reach_noted(parent);
+      note({cell.x + stop * d.x, cell.y + stop * d.y}, g + stop * straight_cost, Step);
+    }
+  }
+
+  /// Leaves the grid for the goal at a cell reached from `parent`, if that is possible.
+  void leave_at(Cell cell, Cost g, Cell parent) {
+    if (!linked_.near_goal(cell)) return;
+    if (const auto exit = linked_.exit_cost(cell)) meet_goal(cell, g + *exit, parent);
+  }
+
+  void meet_goal(Cell goal, Cost total, Cell parent) {
+    if (total >= best_) return;
+    best_ = total;
+    best_goal_ = goal;
+    best_parent_ = parent;
+  }
+
+  /// Notes that a jump reaches a cell. Labels are far away in memory, so they are asked for now and
+  /// looked at when the jumps of an expansion are done.
+  TUTAVIA_ALWAYS_INLINE void note(Cell cell, Cost g, std::size_t arrival) {
+    const auto index = static_cast<std::uint32_t>(grid_.index(cell));
+    labels_.prefetch(index);
+    reached_[noted_++] = {labels_.words().word(g, arrival), cell, index};
+  }
+
+  /// Labels the noted cells, which are reached from `parent`.
+  void reach_noted(Cell parent) {
+    for (Reached& to : std::span(reached_.data(), noted_)) {
+      auto from = static_cast<std::uint32_t>(grid_.index(parent));
+      const bool first = LabelWords::arrival(to.label) == no_step;
+      if (LookBackGuide<Guide> && !first) from = look_back(to, from);
+      if (!labels_.improve(to.index, to.label, from)) continue;
+      const Cost f = labels_.words().g(to.label) + estimate(to.cell);
+      if (f >= best_) continue;
+      ++stats_.generated;
+      if constexpr (!std::same_as<O, NoObserver>) observer_.generated(frame_.point(to.cell));
+      open_.push(f, to.index, LabelWords::note(to.label));
+      if constexpr (PrefetchingScanner<Scanner>) scanner_.prefetch(to.cell);
+    }
+    noted_ = 0;
+  }
+
+  struct Reached {
+    std::uint64_t label;  // see LabelWords
+    Cell cell;
+    std::uint32_t index;
+  };
+
+  /// Shortens the way to a cell by a straight line from the parent of `parent`, or else from
+  /// `parent` itself; returns where it begins.
+  std::uint32_t look_back(Reached& to, std::uint32_t parent) {
+    for (const std::uint32_t from : {labels_[parent].parent, parent}) {
+      const Cell cell = grid_.cell(from);
+      if (!sees(cell, to.cell)) continue;
+      const Cost g = labels_.words().g(labels_[from].word) + euclidean_cost(cell, to.cell);
+      to.label = labels_.words().word(g, LabelWords::arrival(to.label));
+      return from;
+    }
+    return parent;
+  }
+
+  bool sees(Cell a, Cell b) const {
+    if constexpr (LookBackGuide<Guide>) {
+      return guide_.sees(a, b);
+    } else {
+      return false;
+    }
+  }
+
+  OccupancyGrid::View grid_;
+  const Frame& frame_;
+  const Scanner& scanner_;
+  const Guide& guide_;
+  const CanonicalTable& table_;
+  const LinkedQuery& linked_;
+  JumpLabels& labels_;
+  Open& open_;
+  O& observer_;
+  Statistics& stats_;
+  Cost best_ = none;
+  Cell best_goal_{}, best_parent_{};
+  std::array<Reached, 32> reached_;
+  std::size_t noted_ = 0;
+};
+
+/// What all variants do around the search. `make_guide(linked)` makes the guide, `finish(cells)`
+/// may change the path found.
+template <GridSpace S, JumpScanner Scanner, std::invocable<const LinkedQuery&> MakeGuide,
+          JumpOpenList Open, Observer O, std::invocable<std::vector<Cell>&> Finish>
+Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
+                                     const MakeGuide& make_guide, JumpScratchWith<Open>& scratch,
+                                     O& observer, const Finish& finish) {
+  return search_grid(space, query, scratch.cells,
+                     [&](const LinkedQuery& linked, std::vector<Cell>& cells,
+                         Statistics& stats) -> std::optional<Failure> {
+                       const auto guide = make_guide(linked);
+                       JumpSearch<Scanner, std::decay_t<decltype(guide)>, O> search(
+                           space.grid(), space.frame(), scanner, guide, linked, scratch, observer,
+                           stats);
+                       if (auto failure = search.run(query.budget)) return failure;
+                       search.trace(cells);
+                       finish(cells);
+                       return std::nullopt;
+                     });
+}
+
+/// Jump point search proper.
+template <GridSpace S, JumpScanner Scanner, Observer O>
+Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
+                                     JumpScratch& scratch, O& observer) {
+  return jump_search(
+      space, query, scanner, [](const LinkedQuery& linked) { return OctileGuide(linked); }, scratch,
+      observer, [](std::vector<Cell>&) {});
+}
+
+}  // namespace tutavia::detail

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tutavia/core/parts/compiler.hpp"
+#include "tutavia/grid/movement.hpp"
+#include "tutavia/search/grid/grid_labels.hpp"
+
+/// \file
+/// JumpLabels: what a search knows about the few cells it stops at.
+
+namespace tutavia::detail {
+
+/// Labels of jump points, found by the cell's index: open addressing with linear probing (Knuth
+/// 1998, section 6.4, algorithm L). The labels are words as in GridLabels, so labels of earlier
+/// queries count as empty places and nothing is cleared between queries.
+class JumpLabels {
+ public:
+  struct Label {
+    std::uint64_t word;
+    std::uint32_t cell;
+    std::uint32_t parent;  ///< index of the cell that the jump came from; itself for a first cell
+  };
+
+  /// Forgets all labels.
+  void begin() {
+    if (query_ == LabelWords::last_query) {
+      labels_.assign(labels_.size(), Label{});
+      query_ = 0;
+    }
+    words_ = LabelWords(++query_);
+    size_ = 0;
+    if (labels_.empty()) labels_.resize(1024, Label{});
+    mask_ = labels_.size() - 1;
+  }
+
+  /// Notes a way to a cell (see LabelWords::word), if it is the first or a better one.
+  bool improve(std::uint32_t cell, std::uint64_t word, std::uint32_t parent) {
+    Label& label = find(cell);
+    if (!LabelWords::is_better(word, label.word)) return false;  // an empty place loses
+    size_ += words_.is_current(label.word) ? 0 : 1;
+    label = {word, cell, parent};
+    if (4 * size_ > 3 * mask_) grow();
+    return true;
+  }
+
+  /// \pre the cell was reached
+  const Label& operator[](std::uint32_t cell) { return find(cell); }
+
+  const LabelWords& words() const { return words_; }
+
+  /// The label of a cell is going to be looked at.
+  void prefetch(std::uint32_t cell) const { tutavia::detail::prefetch(&labels_[place(cell)]); }
+
+  std::size_t memory() const { return labels_.size() * sizeof(Label); }
+  std::size_t size() const { return size_; }
+
+ private:
+  /// Where the search for a cell's label begins.
+  std::size_t place(std::uint32_t cell) const {
+    return (cell * std::uint64_t{0x9E3779B97F4A7C15u}) >> 32 & mask_;
+  }
+
+  /// The label of a cell, or the empty place for it.
+  Label& find(std::uint32_t cell) {
+    std::size_t i = place(cell);
+    while (labels_[i].cell != cell && words_.is_current(labels_[i].word)) i = (i + 1) & mask_;
+    return labels_[i];
+  }
+
+  void grow() {
+    std::vector<Label> old(2 * labels_.size(), Label{});
+    old.swap(labels_);
+    mask_ = labels_.size() - 1;
+    for (const Label& label : old) {
+      if (words_.is_current(label.word)) find(label.cell) = label;
+    }
+  }
+
+  std::vector<Label> labels_;  // 2^n of them
+  std::size_t mask_ = 0;       // 2^n - 1
+  std::size_t size_ = 0;
+  std::uint64_t query_ = 0;
+  LabelWords words_{0};
+};
+
+}  // namespace tutavia::detail

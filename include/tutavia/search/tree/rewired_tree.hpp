@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tutavia/search/tree/tree_growth.hpp"
+
+/// \file
+/// The growth of RRT*: every node takes the best parent near it, and its neighbours take it where
+/// that is better.
+
+namespace tutavia::detail {
+
+/// Which nodes of a tree of n are near a new one. Both rules are those of Karaman and Frazzoli
+/// 2011, section 3.3, for the plane; each exceeds the bound that their theorems need by a
+/// `rewire_factor`.
+enum class Neighbours {
+  k_nearest,  ///< the e (1 + 1/2) ln n nearest
+  /// Those within the smaller of the step and 2 sqrt(1 + 1/2) sqrt(A / pi) sqrt(ln n / n), where A
+  /// is the area of the bounds, which is no less than that of free space.
+  radius,
+};
+
+/// Memory of a search that grows one tree with rewiring, and the tree that it grew last.
+struct OptimalTreeScratch : TreeScratch {
+  /// A node near a new one: how far, and what the way through it costs at least.
+  struct Near {
+    double length, least_cost;
+    SearchTree::Node node;
+  };
+
+  std::vector<PointIndex::Neighbour> found;
+  std::vector<Near> near;
+};
+
+/// How far a tree of n nodes looks around a new one.
+struct NeighbourRule {
+  Neighbours kind;
+  double factor;
+
+  std::size_t count(std::size_t n) const {
+    const double bound = 1.5 * std::numbers::e * logarithm(n);
+    return static_cast<std::size_t>(std::min(std::ceil(factor * bound), static_cast<double>(n)));
+  }
+  double radius(std::size_t n, double area, double step) const {
+    const double share = logarithm(n) / static_cast<double>(n);
+    return std::min(factor * 2 * std::sqrt(1.5 * area / std::numbers::pi * share), step);
+  }
+
+  std::optional<Failure> check() const {
+    if (factor > 0 && std::isfinite(factor)) return std::nullopt;
+    return Failure{.code = PlanError::invalid_option,
+                   .detail = "rewire_factor must be positive and finite"};
+  }
+
+ private:
+  static double logarithm(std::size_t n) { return std::log(static_cast<double>(n < 2 ? 2 : n)); }
+};
+
+/// What edges cost: `cost(p, q, length)` is the cost of the straight way from p to q, which is as
+/// long as that; at least its length.
+template <class C>
+concept EdgeCost = requires(const C& cost, const Point& p, double length) {
+  { cost(p, p, length) } -> std::same_as<double>;
+};
+
+/// What an edge costs that costs its length.
+struct LengthCost {
+  double operator()(const Point&, const Point&, double length) const { return length; }
+};
+
+/// One tree of RRT*, its edges priced by an EdgeCost.
+template <EdgeCost Price, FreeSpace S, Observer O>
+class OptimalTree {
+ public:
+  using Node = SearchTree::Node;
+
+  OptimalTree(TreeGrowth<S, O>& growth, const NeighbourRule& rule, const Price& edge_cost,
+              OptimalTreeScratch& scratch)
+      : growth_(growth),
+        rule_(rule),
+        edge_cost_(edge_cost),
+        scratch_(scratch),
+        tree_(scratch.tree) {
+    tree_.begin(growth.bounds(), growth.query().start);
+  }
+
+  bool has_path() const { return goal_ != SearchTree::none; }
+  /// Of the best path; infinite where there is none yet.
+  double cost() const { return best_; }
+  /// The best path. \pre has_path()
+  std::vector<Point> path() const { return tree_.way_to(goal_); }
+
+  const SearchTree& nodes() const { return tree_; }
+
+  /// One step towards a point, and the goal where it is within a step.
+  void grow(const Point& target) {
+    const Node nearest = tree_.points().nearest(target);
+    const auto end = growth_.step_towards(tree_, nearest, target);
+    if (!end) return;
+    const Node node = insert(*end, nearest);
+    const Point goal = growth_.query().goal;
+    if (*end == goal) {
+      goal_ = node;
+    } else if (!has_path() && distance(*end, goal) <= growth_.step() &&
+               growth_.space().segment_free(*end, goal)) {
+      goal_ = insert(goal, node);
+    }
+    if (has_path() && tree_.cost(goal_) < best_) {
+      best_ = tree_.cost(goal_);
+      growth_.tell_improved(path(), best_);
+    }
+  }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// Adds a point that `parent` sees, with the best parent near it, and rewires those near it.
+  Node insert(const Point& p, Node parent) {
+    find_near(p);
+    double edge = edge_cost_(tree_.position(parent), p, distance(tree_.position(parent), p));
+    double cost = tree_.cost(parent) + edge;
+    while (auto* candidate = cheapest_below(cost)) {
+      candidate->least_cost = infinity;
+      const Point from = tree_.position(candidate->node);
+      if (!growth_.space().segment_free(from, p)) {
+        candidate->length = infinity;
+        continue;
+      }
+      const double other_edge = edge_cost_(from, p, candidate->length);
+      if (!(tree_.cost(candidate->node) + other_edge < cost)) continue;
+      parent = candidate->node;
+      edge = other_edge;
+      cost = tree_.cost(parent) + edge;
+    }
+    const Node node = growth_.add(tree_, parent, p, edge);
+    // Few are left, which are put in order: those near come in none that all compilers agree on.
+    std::erase_if(scratch_.near, [&](const auto& neighbour) {
+      return !(cost + neighbour.length < tree_.cost(neighbour.node));
+    });
+    std::sort(scratch_.near.begin(), scratch_.near.end(),
+              [](const auto& a, const auto& b) { return a.node < b.node; });
+    for (const auto& neighbour : scratch_.near) rewire(neighbour, node, p);
+    return node;
+  }
+
+  void find_near(const Point& p) {
+    const std::size_t n = tree_.size();
+    if (rule_.kind == Neighbours::k_nearest) {
+      tree_.points().k_nearest(p, rule_.count(n), scratch_.found);
+    } else {
+      const double area = growth_.bounds().width() * growth_.bounds().height();
+      tree_.points().within(p, rule_.radius(n, area, growth_.step()), scratch_.found);
+    }
+    scratch_.near.clear();
+    for (const auto& [square, node] : scratch_.found) {
+      const double length = std::sqrt(square);
+      scratch_.near.push_back({length, tree_.cost(node) + length, node});
+    }
+  }
+
+  OptimalTreeScratch::Near* cheapest_below(double cost) {
+    OptimalTreeScratch::Near* cheapest = nullptr;
+    for (auto& candidate : scratch_.near) {
+      const bool better = cheapest == nullptr ? candidate.least_cost < cost
+                          : candidate.least_cost != cheapest->least_cost
+                              ? candidate.least_cost < cheapest->least_cost
+                              : candidate.node < cheapest->node;
+      if (better) cheapest = &candidate;
+    }
+    return cheapest;
+  }
+
+  /// Makes a new node the parent of one near it, if that is better.
+  void rewire(const OptimalTreeScratch::Near& neighbour, Node node, const Point& p) {
+    const double cost = tree_.cost(node), known = tree_.cost(neighbour.node);
+    if (!(cost + neighbour.length < known)) return;
+    const Point to = tree_.position(neighbour.node);
+    if (!growth_.space().segment_free(p, to)) return;
+    const double edge = edge_cost_(p, to, neighbour.length);
+    if (cost + edge < known) tree_.rewire(neighbour.node, node, edge);
+  }
+
+  TreeGrowth<S, O>& growth_;
+  NeighbourRule rule_;
+  const Price& edge_cost_;
+  OptimalTreeScratch& scratch_;
+  SearchTree& tree_;
+  Node goal_ = SearchTree::none;
+  double best_ = infinity;
+};
+
+/// The options of a search with an `OptimalTree`; what they are, see RrtStar.
+template <class T>
+concept OptimalTreeOptions = requires(const T& options) {
+  { options.step } -> std::same_as<const std::optional<double>&>;
+  { options.goal_bias } -> std::same_as<const double&>;
+  { options.iterations } -> std::same_as<const std::uint32_t&>;
+  { options.neighbours } -> std::same_as<const Neighbours&>;
+  { options.rewire_factor } -> std::same_as<const double&>;
+};
+
+/// Where a tree with a path samples, given the arguments that a search has for it: some point in
+/// the bounds.
+template <class F, class... Arguments>
+concept Sampler = requires(const F& sample, Arguments&... arguments) {
+  { sample(arguments...) } -> std::same_as<Point>;
+};
+
+/// Grows a tree towards as many samples as `options.iterations` and takes its best path, also where
+/// the budget ends before they do. From the first path on the samples are `sample(cost of the best
+/// path)`, before that uniform with `options.goal_bias`.
+template <OptimalTreeOptions Options, EdgeCost Price, FreeSpace S, Observer O,
+          Sampler<double> Sample>
+Expected<Route, Failure> grow_route(OptimalTree<Price, S, O>& tree, TreeGrowth<S, O>& growth,
+                                    const Options& options, const Sample& sample) {
+  Failure end{.code = PlanError::budget_exhausted};
+  for (std::uint32_t i = 0; i < options.iterations; ++i) {
+    if (auto failure = growth.next_iteration()) {
+      end = std::move(*failure);
+      break;
+    }
+    tree.grow(tree.has_path() ? sample(tree.cost()) : growth.sample(options.goal_bias));
+  }
+  if (!tree.has_path() || end.code == PlanError::cancelled) {
+    return Unexpected{growth.failure(std::move(end), tree.nodes())};
+  }
+  Route route;
+  route.curve = Curve::polyline(tree.path());
+  route.cost = tree.cost();
+  route.stats = growth.stats();
+  return route;
+}
+
+/// What is wrong with the options of a search with an `OptimalTree`, or with the query.
+template <OptimalTreeOptions Options, FreeSpace S>
+std::optional<Failure> check_optimal_growth(const Options& options, const S& space,
+                                            const Query& query) {
+  if (auto failure = NeighbourRule{options.neighbours, options.rewire_factor}.check()) {
+    return failure;
+  }
+  return check_growth(space, query, options.step, options.goal_bias, options.iterations);
+}
+
+/// A search for the shortest path. From the first path on the samples are `sample(growth, cost of
+/// the best path)`.
+template <OptimalTreeOptions Options, FreeSpace S, Observer O,
+          Sampler<TreeGrowth<S, O>, double> Sample>
+Expected<Route, Failure> search_with_optimal_tree(const Options& options, const S& space,
+                                                  const Query& query, OptimalTreeScratch& scratch,
+                                                  O& observer, const Sample& sample) {
+  if (auto failure = check_optimal_growth(options, space, query)) {
+    return Unexpected{std::move(*failure)};
+  }
+  TreeGrowth growth(space, query, options.step, observer);
+  const LengthCost length;
+  OptimalTree tree(growth, {options.neighbours, options.rewire_factor}, length, scratch);
+  if (auto straight = straight_route(space, query)) return std::move(*straight);
+  return grow_route(tree, growth, options, [&](double cost) { return sample(growth, cost); });
+}
+
+}  // namespace tutavia::detail

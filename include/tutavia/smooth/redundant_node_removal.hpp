@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/parts/remove_redundant.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/smooth/route/farthest_in_sight.hpp"
+#include "tutavia/smooth/route/input_checks.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// RedundantNodeRemoval: the pruning of the improved RRT* paper.
+
+namespace tutavia {
+
+/// Drops the nodes of a polyline that it can do without. The nodes that a grid path passes count.
+///
+/// Guarantees: the ends are exact, every line taken is proved at the space's safety radius, the
+/// nodes kept are nodes of the input in its order, and the result is never longer than the input.
+/// Sight is not monotone along a path, so a second pass may find more to drop.
+///
+/// Source: the improved RRT* of MM Science Journal, October 2023 (RRTS), "removing redundant
+/// nodes".
+struct RedundantNodeRemoval {
+  static constexpr std::string_view name = "redundant_node_removal";
+
+  /// How the next node to keep is found.
+  enum class Scan {
+    /// From a kept node on to the next one while it is in sight, up to the first hidden one, as
+    /// printed. O(n) lines of sight for n nodes.
+    forward,
+    /// From the end of the route back in doubling steps until a node is in sight, then by bisection
+    /// towards the hidden one after it: a node in sight whose successor is not, though not always
+    /// the last one in sight. O(n log n) lines of sight.
+    from_far_end,
+  };
+
+  Scan scan = Scan::forward;
+
+  /// Errors: `invalid_input` for a curve that is no polyline or not free, what the budget says.
+  template <ClearanceSpace S>
+  Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
+    auto nodes = detail::free_nodes(space, input, budget, "the removal of redundant nodes");
+    if (!nodes) return Unexpected{nodes.error()};
+
+    std::optional<BudgetEnd> exceeded;
+    std::size_t looks = 0;
+    const auto sees = [&](const Point& a, const Point& b) {
+      if (looks++ % 64 == 0 && !exceeded) exceeded = budget.exceeded();
+      return !exceeded && space.segment_free(a, b);
+    };
+    if (scan == Scan::forward) {
+      detail::remove_redundant(*nodes, sees);
+    } else {
+      remove_from_far_end(*nodes, sees);
+    }
+    if (exceeded) return fail(*exceeded, "while removing redundant nodes");
+    return Curve::polyline(*nodes);
+  }
+
+ private:
+  template <std::predicate<const Point&, const Point&> Sees>
+  static void remove_from_far_end(std::vector<Point>& nodes, const Sees& sees) {
+    std::size_t kept = 1;
+    for (std::size_t i = 0; i + 1 < nodes.size();) {
+      i = detail::farthest_looking_back(i, nodes.size() - 1,
+                                        [&](std::size_t j) { return sees(nodes[i], nodes[j]); });
+      nodes[kept++] = nodes[i];
+    }
+    if (!nodes.empty()) nodes.resize(kept);
+  }
+};
+
+}  // namespace tutavia

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tutavia/certify/piece_proof.hpp"
+#include "tutavia/core/budget.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/smooth/route/grid_nodes.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// What every smoother asks of its input first.
+
+namespace tutavia::detail {
+
+/// Checks that every piece of a curve is proved free. `invalid_input` with the first piece that is
+/// not and its ends, what the budget says.
+template <ClearanceSpace S>
+Expected<void, Failure> check_free(const S& space, const Curve& curve, const Budget& budget) {
+  for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
+    if (i % 64 == 0) {
+      if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
+    }
+    const Piece& piece = curve.pieces()[i];
+    if (piece.visit([&](const auto& p) { return is_proved_free(space, p); })) continue;
+    const Point a = start_of(piece), b = end_of(piece);
+    return fail(PlanError::invalid_input, "segment " + std::to_string(i) + " of the route, from " +
+                                              to_text(a) + " to " + to_text(b) + ", is not free");
+  }
+  return {};
+}
+
+/// A curve with the nodes that a grid path passes for joints, every piece of it proved free.
+/// Errors: those of `check_free`.
+template <ClearanceSpace S>
+Expected<Curve, Failure> free_steps(const S& space, const Curve& curve, const Budget& budget) {
+  Curve split = split_at_nodes(space, curve);
+  if (check_free(space, split, budget)) return split;
+  // A run can be free while a step of it, whose ends are rounded, is not.
+  if (const auto free = check_free(space, curve, budget); !free) return Unexpected{free.error()};
+  return curve;
+}
+
+/// `invalid_input` for a curve with pieces that are not straight, which `taker` does not take.
+inline Expected<void, Failure> check_polyline(const Curve& curve, std::string_view taker) {
+  const auto is_straight = [](const Piece& p) { return p.holds<Segment>(); };
+  if (std::all_of(curve.pieces().begin(), curve.pieces().end(), is_straight)) return {};
+  return fail(PlanError::invalid_input, std::string(taker) + " takes polylines only");
+}
+
+/// The joints of a polyline that is proved free. Errors: those of `check_polyline` and
+/// `check_free`.
+template <ClearanceSpace S>
+Expected<std::vector<Point>, Failure> free_polyline(const S& space, const Curve& curve,
+                                                    const Budget& budget, std::string_view taker) {
+  if (const auto straight = check_polyline(curve, taker); !straight) {
+    return Unexpected{straight.error()};
+  }
+  if (const auto free = check_free(space, curve, budget); !free) return Unexpected{free.error()};
+  return joints(curve);
+}
+
+/// The same with the nodes that a grid path passes: every leg between two is proved.
+template <ClearanceSpace S>
+Expected<std::vector<Point>, Failure> free_nodes(const S& space, const Curve& curve,
+                                                 const Budget& budget, std::string_view taker) {
+  if (const auto straight = check_polyline(curve, taker); !straight) {
+    return Unexpected{straight.error()};
+  }
+  const auto curve_of_steps = free_steps(space, curve, budget);
+  if (!curve_of_steps) return Unexpected{curve_of_steps.error()};
+  return joints(*curve_of_steps);
+}
+
+}  // namespace tutavia::detail

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tutavia/geometry/clothoid.hpp"
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/geometry/tangent/clothoid_pair.hpp"
+#include "tutavia/geometry/tangent/tangent_line.hpp"
+
+/// \file
+/// Spirals in the place of one bend of a string.
+
+namespace tutavia::detail {
+
+/// What takes a bend's place.
+struct BendShape {
+  enum class Form {
+    arc,     ///< of the circle that the ways touch; with radius 0: the corner
+    pair,    ///< two spirals that are mirror images
+    spirals  ///< two spirals with an arc between them
+  };
+
+  Form form = Form::arc;
+  double radius = 0;  ///< the least [m]
+  double turn = 0;    ///< of each spiral [rad]
+  double leg = 0;     ///< from where they begin to where the way touches the circle [m]
+};
+
+/// A straight way into or out of a bend's shape: where they meet, and its direction.
+struct BendEnd {
+  Point place, direction;
+};
+
+/// A bend of a string around a circle that was made larger.
+struct WidenedBend {
+  SidedCircle circle;   ///< that the ways touch
+  double core_radius;   ///< of the circle as it was [m]
+  double inner_radius;  ///< how near spirals may come to its centre [m]
+  double turn;          ///< left positive [rad]
+  bool has_beziers;     ///< cubic Bezier spirals in the place of clothoids; pairs alone
+
+  /// Bends that turn further have no pair [rad].
+  static constexpr double widest_pair = 0.9 * std::numbers::pi;
+  /// Spirals that turn by less are no gentler than a jump of the curvature [rad].
+  static constexpr double least_turn = 0.01;
+
+  double wrap() const { return circle.side * turn; }
+  /// \pre wrap() < widest_pair
+  SpiralPair unit_pair() const {
+    return has_beziers ? SpiralPair::of_beziers(wrap()) : SpiralPair::of_clothoids(wrap());
+  }
+
+  /// The gentlest shape that takes at most `room` of the ways before and after the bend; an arc
+  /// where no other has a radius of `least_radius` or more.
+  BendShape gentlest_shape(double room, double least_radius) const;
+
+  /// Calls `visit(piece)` for the pieces of a shape between two ways. \pre the shape is one of
+  /// this bend, and both ends lie where it says
+  template <class Visit>
+  void for_each_piece(const BendShape& shape, const BendEnd& in, const BendEnd& out,
+                      double tolerance, Visit visit) const;
+
+ private:
+  BendShape arc() const { return {BendShape::Form::arc, circle.radius, 0, 0}; }
+  BendShape spirals(double room, double least_radius) const;
+};
+
+inline BendShape WidenedBend::gentlest_shape(double room, double least_radius) const {
+  if (!(circle.radius > core_radius) || !(wrap() > 1e-6)) return arc();
+  if (wrap() < widest_pair) {
+    const SpiralPair pair = unit_pair();
+    const double to_corner = circle.radius / std::cos(wrap() / 2);
+    const double touch = circle.radius * std::tan(wrap() / 2);  // from there to the corner
+    const double radius =
+        std::min((to_corner - inner_radius) / pair.drop, (room + touch) / pair.leg);
+    // Inside the circle that the ways touch: no longer than its arc.
+    const bool is_inside = radius * pair.drop >= to_corner - circle.radius;
+    if (radius >= std::max(inner_radius, least_radius) && is_inside) {
+      return {BendShape::Form::pair, radius, wrap() / 2, radius * pair.leg - touch};
+    }
+  }
+  return has_beziers ? arc() : spirals(room, least_radius);
+}
+
+/// Spirals on to an arc around the same centre, as long as there is room and the arc keeps off the
+/// old circle; the arc alone where they would be too short.
+inline BendShape WidenedBend::spirals(double room, double least_radius) const {
+  const double least = std::max(inner_radius, least_radius);
+  // What the centre is moved by is nearly as the square of the turn, and its place along the way
+  // as the turn: a few steps of scaling find what fits.
+  double spiral = std::min({wrap() / 2, std::sqrt(6 * (circle.radius / least - 1)), 1.5});
+  for (int k = 0; k < 6 && spiral > least_turn; ++k) {
+    const UnitSpiral unit = UnitSpiral::turning(spiral);
+    const double radius = circle.radius / (1 + unit.centre.y()), leg = radius * unit.centre.x();
+    const double shift = (circle.radius / least - 1) / unit.centre.y();
+    const double scale = std::min(std::sqrt(shift), room / leg);
+    if (scale >= 1) return {BendShape::Form::spirals, radius, spiral, leg};
+    spiral *= scale * (1 - 1e-6);
+  }
+  return arc();
+}
+
+template <class Visit>
+void WidenedBend::for_each_piece(const BendShape& shape, const BendEnd& in, const BendEnd& out,
+                                 double tolerance, Visit visit) const {
+  Point at = in.place;
+  const auto visit_arcs = [&](double radius, const Point& to, double turns) {
+    for_each_arc({circle.center, radius, circle.side}, at, to, turns, tolerance,
+                 [&](const Arc& arc) {
+                   visit(arc);
+                   at = arc.b;
+                 });
+  };
+  if (shape.form == BendShape::Form::arc) {
+    visit_arcs(circle.radius, out.place, turn);
+    if (at != out.place) visit(Segment{at, out.place});
+    return;
+  }
+  if (has_beziers) {
+    const double leg = shape.leg + circle.radius * std::tan(wrap() / 2);
+    auto pair =
+        bezier_spirals(advance(in.place, leg, in.direction), in.direction, out.direction, leg);
+    pair[0].points.front() = in.place;
+    pair[1].points.back() = out.place;
+    visit(pair[0]);
+    visit(pair[1]);
+    return;
+  }
+  const double bent = circle.side / shape.radius, length = 2 * shape.turn * shape.radius;
+  const Clothoid before = Clothoid::from(in.place, heading(in.direction), 0, bent / length, length);
+  Clothoid after = Clothoid::from(out.place, heading(out.direction) + std::numbers::pi, 0,
+                                  -bent / length, length)
+                       .reversed();
+  visit(before);
+  at = before.b;
+  if (shape.form == BendShape::Form::spirals) {
+    visit_arcs(shape.radius, after.a, turn - 2 * circle.side * shape.turn);
+  }
+  after.a = at;
+  visit(after);
+}
+
+}  // namespace tutavia::detail

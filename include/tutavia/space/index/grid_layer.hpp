@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "tutavia/grid/bitboard/stop_planes.hpp"
+#include "tutavia/grid/bitboard/transposed.hpp"
+#include "tutavia/grid/corner_cells.hpp"
+#include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/space/links.hpp"
+#include "tutavia/world/frame.hpp"
+
+/// \file
+/// GridLayer: the grid that a space lays over its free space.
+
+namespace tutavia::detail {
+
+/// The corners that a path may pass, as a grid of their own: those of free cells, but where two
+/// blocked cells touch by the corner alone.
+/// \pre `OccupancyGrid::fits(width + 1, height + 1)`
+inline OccupancyGrid open_corners(const OccupancyGrid& grid) {
+  auto corners =
+      OccupancyGrid::blocked(grid.width() + 1, grid.height() + 1, std::int64_t{1} << 31).value();
+  for (int y = 0; y <= grid.height(); ++y) {
+    for (int x = 0; x <= grid.width(); ++x) {
+      const CornerCells around(grid, {x, y});
+      if (around.any_free() && !around.is_double()) corners.set({x, y}, true);
+    }
+  }
+  return corners;
+}
+
+/// A grid, its place in the plane, and the rule by which paths step on it: what LatticeSpace and
+/// CellSpace have in common.
+class GridLayer {
+ public:
+  GridLayer(OccupancyGrid grid, const Frame& frame, MovementRule movement)
+      : grid_(std::move(grid)), frame_(frame), movement_(movement) {}
+
+  const OccupancyGrid& grid() const { return grid_; }
+  const Frame& frame() const { return frame_; }
+  MovementRule movement() const { return movement_; }
+
+  /// Built when first asked for; threads may ask at once. Copies of the layer share them.
+  const StopPlanes& stop_planes() const {
+    std::call_once(lazy_->once, [this] { lazy_->planes.emplace(grid_); });
+    return *lazy_->planes;
+  }
+
+  /// The grid with rows and columns exchanged, made likewise.
+  const OccupancyGrid& columns() const {
+    std::call_once(lazy_->columns_once, [this] { lazy_->columns.emplace(transposed(grid_)); });
+    return *lazy_->columns;
+  }
+
+  /// The corners of free cells as a grid of their own, made likewise; (x, y) is the lower left
+  /// corner of cell (x, y). Without those where two blocked cells touch by the corner alone: no
+  /// path leads through them. What lies beyond the grid is blocked.
+  const OccupancyGrid& corners() const {
+    std::call_once(lazy_->corners_once, [this] { lazy_->corners.emplace(open_corners(grid_)); });
+    return *lazy_->corners;
+  }
+
+  /// Joins `p` to the free cells whose reference points lie within sqrt(2) delta of it and which
+  /// it reaches by a segment for which `segment_free(p, reference point)` holds; to the cell alone
+  /// where it lies within `merge` of a reference point.
+  template <class SegmentFree>
+  Links links(const Point& p, double merge, const SegmentFree& segment_free) const {
+    Links result;
+    const double delta = frame_.resolution;
+    const Cell centre = frame_.nearest_cell(p);
+    const auto usable = [&](Cell cell) { return grid_.contains(cell) && grid_.is_free(cell); };
+    if (usable(centre) && distance(frame_.point(centre), p) <= merge) {
+      result.push_back({centre, 0});
+      return result;
+    }
+    for (int y = -1; y <= 1; ++y) {
+      for (int x = -1; x <= 1; ++x) {
+        const Cell cell = centre + Cell{x, y};
+        if (!usable(cell)) continue;
+        const Point node = frame_.point(cell);
+        const double length = distance(node, p);
+        if (length <= std::numbers::sqrt2 * delta * (1 + 1e-9) && segment_free(p, node)) {
+          result.push_back({cell, length});
+        }
+      }
+    }
+    return result;
+  }
+
+ private:
+  OccupancyGrid grid_;
+  Frame frame_;
+  MovementRule movement_;
+
+  struct Lazy {
+    std::once_flag once;
+    std::optional<StopPlanes> planes;
+    std::once_flag columns_once;
+    std::optional<OccupancyGrid> columns;
+    std::once_flag corners_once;
+    std::optional<OccupancyGrid> corners;
+  };
+  std::shared_ptr<Lazy> lazy_ = std::make_shared<Lazy>();
+};
+
+}  // namespace tutavia::detail

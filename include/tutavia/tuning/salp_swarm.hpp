@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tutavia/core/budget.hpp"
+#include "tutavia/core/parts/parallel.hpp"
+#include "tutavia/core/random.hpp"
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/search/query_checks.hpp"
+
+/// \file
+/// SalpSwarm: looks for the least value of a function within bounds.
+
+namespace tutavia {
+
+/// The best place that a swarm found.
+struct SwarmResult {
+  std::vector<double> best{};
+  double value = std::numeric_limits<double>::infinity();
+  /// The least value known after the first positions and after each iteration.
+  std::vector<double> training{};
+};
+
+/// What a swarm minimises: a function of numbers that several threads may call at once.
+template <class F>
+concept SwarmObjective = requires(const F& value, std::span<const double> position) {
+  { value(position) } -> std::convertible_to<double>;
+};
+
+/// The salp swarm algorithm: some salps lead, looking around the best place known within a reach
+/// that shrinks, the others follow one another in a chain. A heuristic without guarantees, but that
+/// the best place known never gets worse.
+///
+/// Positions are drawn in turn and valued in parallel, so the result depends on the seed alone.
+///
+/// Source: Mirjalili et al. 2017, "Salp swarm algorithm", equations (3.1) to (3.4); the pseudo-code
+/// of the SSA-A* paper, which is another algorithm, by `variant`.
+struct SalpSwarm {
+  enum class Variant {
+    equations,   ///< leaders and a chain of followers
+    pseudo_code  ///< each salp either near the best place (within 0.3) or half-way to it
+  };
+
+  Variant variant = Variant::equations;
+  std::size_t population = 10;
+  std::size_t iterations = 100;
+  std::size_t leaders = 1;
+  std::uint64_t seed = 0;
+  unsigned threads = 0;  ///< 0: one per core
+
+  /// The least of `value`, a function of as many numbers as there are bounds, called by several
+  /// threads at once. NaN counts as infinite.
+  ///
+  /// Errors: `invalid_option` for no population, iterations or leaders and for more leaders than
+  /// salps, `invalid_input` for bounds that are not finite, reversed or of different number; what
+  /// the budget says.
+  template <SwarmObjective F>
+  Expected<SwarmResult, Failure> minimise(const F& value, std::span<const double> lower,
+                                          std::span<const double> upper,
+                                          const Budget& budget = {}) const;
+
+ private:
+  using Position = std::vector<double>;
+
+  const char* invalid_option() const {
+    if (population == 0) return "population must not be 0";
+    if (iterations == 0) return "iterations must not be 0";
+    if (leaders == 0 || leaders > population) return "leaders must lie in [1, population]";
+    return nullptr;
+  }
+
+  /// Moves all salps for iteration t of 1 ... iterations.
+  void move(std::vector<Position>& salps, const Position& best, std::size_t t,
+            std::span<const double> lower, std::span<const double> upper, Random& random) const {
+    const double progress = 4 * static_cast<double>(t) / static_cast<double>(iterations);
+    const double reach = 2 * std::exp(-progress * progress);  // c1
+    for (std::size_t i = 0; i < salps.size(); ++i) {
+      const bool near_best = variant == Variant::pseudo_code && random.uniform() < 0.5;
+      for (std::size_t j = 0; j < best.size(); ++j) {
+        double& x = salps[i][j];
+        if (variant == Variant::pseudo_code) {
+          x = near_best ? best[j] + random.uniform(-0.3, 0.3) : 0.5 * (x + best[j]);
+        } else if (i < leaders) {
+          const double step = reach * ((upper[j] - lower[j]) * random.uniform() + lower[j]);
+          x = random.uniform() < 0.5 ? best[j] + step : best[j] - step;
+        } else {
+          x = 0.5 * (x + salps[i - 1][j]);
+        }
+        x = std::clamp(x, lower[j], upper[j]);
+      }
+    }
+  }
+
+  template <SwarmObjective F>
+  std::vector<double> values(const F& value, const std::vector<Position>& salps) const {
+    std::vector<double> results(salps.size());
+    detail::for_each_in_parallel(salps.size(), threads, [&] {
+      return [&](std::size_t i) {
+        const double v = value(std::span<const double>(salps[i]));
+        results[i] = std::isnan(v) ? std::numeric_limits<double>::infinity() : v;
+      };
+    });
+    return results;
+  }
+};
+
+template <SwarmObjective F>
+Expected<SwarmResult, Failure> SalpSwarm::minimise(const F& value, std::span<const double> lower,
+                                                   std::span<const double> upper,
+                                                   const Budget& budget) const {
+  if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
+  if (lower.empty() || lower.size() != upper.size()) {
+    return fail(PlanError::invalid_input, "as many lower as upper bounds are needed");
+  }
+  for (std::size_t j = 0; j < lower.size(); ++j) {
+    // Sums with what a leader steps must stay finite, too.
+    constexpr double most = std::numeric_limits<double>::max() / 8;
+    if (!(-most <= lower[j] && lower[j] <= upper[j] && upper[j] <= most)) {
+      return fail(PlanError::invalid_input, "bounds " + std::to_string(j) + " make no interval");
+    }
+  }
+  Random random(seed);
+  std::vector<Position> salps(population, Position(lower.size()));
+  for (Position& salp : salps) {
+    for (std::size_t j = 0; j < lower.size(); ++j) salp[j] = random.uniform(lower[j], upper[j]);
+  }
+  SwarmResult result{.best = salps[0]};
+  for (std::size_t t = 0; t <= iterations; ++t) {
+    if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while a swarm searches");
+    if (t > 0) move(salps, result.best, t, lower, upper, random);
+    const std::vector<double> found = values(value, salps);
+    for (std::size_t i = 0; i < salps.size(); ++i) {
+      if (found[i] < result.value) result.value = found[i], result.best = salps[i];
+    }
+    result.training.push_back(result.value);
+  }
+  return result;
+}
+
+}  // namespace tutavia

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tutavia/search/astar.hpp"
+#include "tutavia/search/ssa_astar.hpp"
+#include "tutavia/tuning/salp_swarm.hpp"
+
+/// \file
+/// tune_ssa: the weights of SSA-A* for maps of a kind.
+
+namespace tutavia {
+
+/// Where and how weights are tuned.
+struct SsaTraining {
+  SsaWeights lower{0.5, 0.5, 0.1}, upper{2, 2, 1};  ///< what the paper searches
+  SalpSwarm swarm{};
+  /// Expansions, as a share of those of A*, that a path which is longer than the shortest by its
+  /// whole length counts like; 0: the paper's fitness, expansions alone.
+  double length_penalty = 0;
+};
+
+/// Weights, and how they were found.
+struct TunedWeights {
+  SsaWeights weights{};
+  double fitness = 0;
+  std::vector<double> training;  ///< the least fitness after each iteration
+};
+
+namespace detail {
+
+/// What A* with the Euclidean heuristic needs for a training query.
+struct SsaReference {
+  double expanded, shortest;
+};
+
+/// One reference per query. Errors: `invalid_input` for a query without a path, named by its index.
+template <GridSpace S>
+Expected<std::vector<SsaReference>, Failure> ssa_references(std::span<const S> spaces,
+                                                            std::span<const Query> queries) {
+  std::vector<SsaReference> references;
+  AStar::Scratch scratch;
+  NoObserver no_observer;
+  for (std::size_t i = 0; i < spaces.size(); ++i) {
+    const auto guided = AStar{.heuristic = Heuristic::euclidean}.search(spaces[i], queries[i],
+                                                                        scratch, no_observer);
+    if (!guided) {
+      return fail(PlanError::invalid_input, "query " + std::to_string(i) + " has no path: " +
+                                                std::string(to_string(guided.error().code)));
+    }
+    references.push_back({static_cast<double>(guided->stats.expanded), guided->cost});
+  }
+  return references;
+}
+
+/// The mean over all queries of what `search` needs, as a share of the reference.
+template <GridSpace S>
+double ssa_fitness(const SsaAStar& search, std::span<const S> spaces,
+                   std::span<const Query> queries, std::span<const SsaReference> references,
+                   double length_penalty) {
+  SsaAStar::Scratch scratch;
+  NoObserver no_observer;
+  double sum = 0;
+  for (std::size_t i = 0; i < spaces.size(); ++i) {
+    const auto route = search.search(spaces[i], queries[i], scratch, no_observer);
+    if (!route) return std::numeric_limits<double>::infinity();
+    const SsaReference& reference = references[i];
+    if (reference.expanded > 0) {
+      sum += static_cast<double>(route->stats.expanded) / reference.expanded;
+    }
+    if (reference.shortest > 0) {
+      sum += length_penalty * (route->cost / reference.shortest - 1);
+    }
+  }
+  return sum / static_cast<double>(spaces.size());
+}
+
+}  // namespace detail
+
+/// The weights with which SSA-A* does its queries with the fewest expansions: the mean over all of
+/// its expansions over those of A* with the Euclidean heuristic, so that large maps count like
+/// small ones, plus `length_penalty` times the excess of length. Query i is on space i.
+///
+/// Errors: `invalid_input` for no spaces, for another number of queries, and for a query that A*
+/// has no path for (named by its index); `invalid_option` for a penalty that is negative; those of
+/// SalpSwarm::minimise; weights as for SsaAStar.
+template <GridSpace S>
+Expected<TunedWeights, Failure> tune_ssa(std::span<const S> spaces, std::span<const Query> queries,
+                                         const SsaTraining& training = {}) {
+  if (spaces.empty() || spaces.size() != queries.size()) {
+    return fail(PlanError::invalid_input, "as many queries as spaces are needed, one at least");
+  }
+  if (!(training.length_penalty >= 0 && std::isfinite(training.length_penalty))) {
+    return fail(PlanError::invalid_option, "length_penalty must be finite and not negative");
+  }
+  for (const SsaWeights& bound : {training.lower, training.upper}) {
+    if (const auto failure = SsaAStar::check(bound)) return Unexpected{*failure};
+  }
+  const auto references = detail::ssa_references(spaces, queries);
+  if (!references) return Unexpected{references.error()};
+  const auto fitness = [&](std::span<const double> w) {
+    return detail::ssa_fitness(SsaAStar{{w[0], w[1], w[2]}}, spaces, queries,
+                               std::span<const detail::SsaReference>(*references),
+                               training.length_penalty);
+  };
+  const std::array lower{training.lower.chebyshev, training.lower.euclidean,
+                         training.lower.density};
+  const std::array upper{training.upper.chebyshev, training.upper.euclidean,
+                         training.upper.density};
+  auto found = training.swarm.minimise(fitness, lower, upper);
+  if (!found) return Unexpected{std::move(found.error())};
+  const auto& best = found->best;
+  return TunedWeights{{best[0], best[1], best[2]}, found->value, std::move(found->training)};
+}
+
+}  // namespace tutavia

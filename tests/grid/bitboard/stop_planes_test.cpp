@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "tutavia/grid/bitboard/stop_planes.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "support/catch.hpp"
+#include "support/random_grids.hpp"
+#include "support/scale.hpp"
+#include "tutavia/core/random.hpp"
+
+namespace {
+
+using namespace tutavia;
+using namespace tutavia::detail;
+
+bool is_free(const OccupancyGrid& grid, Cell cell) {
+  return grid.contains(cell) && grid.is_free(cell);
+}
+
+/// A jump stops at a blocked cell, and where a side is free and the cell behind it is not.
+bool has_to_stop(const OccupancyGrid& grid, Cell cell, std::size_t step) {
+  if (!is_free(grid, cell)) return true;
+  for (const std::size_t turn : {2u, 6u}) {
+    const Cell side = cell + steps[(step + turn) % 8];
+    if (is_free(grid, side) && !is_free(grid, side - steps[step])) return true;
+  }
+  return false;
+}
+
+int walk(const OccupancyGrid& grid, Cell from, std::size_t step) {
+  int count = 1;
+  Cell cell = from + steps[step];
+  for (; !has_to_stop(grid, cell, step); ++count) cell = cell + steps[step];
+  return count;
+}
+
+int jump(const StopPlanes& planes, Cell from, std::size_t step) {
+  const StopPlanes::Place place = planes.place(from);
+  switch (step) {
+    case 0:
+      return planes.jump<0>(place);
+    case 2:
+      return planes.jump<2>(place);
+    case 4:
+      return planes.jump<4>(place);
+    default:
+      return planes.jump<6>(place);
+  }
+}
+
+void check_all_jumps(const OccupancyGrid& grid) {
+  const StopPlanes planes(grid);
+  std::size_t wrong = 0;
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      for (std::size_t step = 0; step < 8; step += 2) {
+        const int expected = walk(grid, {x, y}, step), found = jump(planes, {x, y}, step);
+        const bool stop = has_to_stop(grid, {x, y}, step);
+        if (found == expected && planes.is_stop({x, y}, step) == stop) continue;
+        if (++wrong == 1) {
+          FAIL_CHECK("cell " << x << ", " << y << ", step " << step << ": jumps " << found
+                             << ", walks " << expected << ", stops " << stop);
+        }
+      }
+    }
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("a jump goes as far as a walk that looks at every cell", "[grid]") {
+  const std::uint64_t seed = 1;
+  Random random(seed);
+  constexpr int sizes[] = {1, 2, 61, 62, 63, 64, 65, 66, 126, 127, 128, 129, 130, 200};
+  constexpr double densities[] = {0, 0.001, 0.02, 0.1, 0.35, 0.7, 1};
+  for (std::size_t round = 0; round < test::scaled(1); ++round) {
+    for (const int width : sizes) {
+      const int height = sizes[random.below(std::size(sizes))];
+      const double density = densities[random.below(std::size(densities))];
+      INFO("seed " << seed << ", round " << round << ", " << width << " x " << height
+                   << ", density " << density);
+      check_all_jumps(test::noise_grid(random, width, height, density));
+      check_all_jumps(test::noise_grid(random, height, width, density));
+    }
+  }
+}
+
+TEST_CASE("in the open a jump ends at the border of the grid", "[grid]") {
+  Random random(0);
+  for (const int width : {1, 63, 64, 65, 1000}) {
+    for (const int height : {1, 62, 128, 300}) {
+      CAPTURE(width, height);
+      const StopPlanes planes(test::noise_grid(random, width, height, 0));
+      const Cell cell{width / 3, height / 2};
+      CHECK(jump(planes, cell, 0) == width - cell.x);
+      CHECK(jump(planes, cell, 2) == height - cell.y);
+      CHECK(jump(planes, cell, 4) == cell.x + 1);
+      CHECK(jump(planes, cell, 6) == cell.y + 1);
+    }
+  }
+}
+
+TEST_CASE("a jump stops one cell past a corner, where its side opens", "[grid]") {
+  Random random(0);
+  OccupancyGrid grid = test::noise_grid(random, 9, 9, 0);
+  grid.set({4, 4}, false);
+  const StopPlanes planes(grid);
+  for (const int aside : {-1, 1}) {
+    CAPTURE(aside);
+    CHECK(jump(planes, {0, 4 + aside}, 0) == 5);
+    CHECK(jump(planes, {8, 4 + aside}, 4) == 5);
+    CHECK(jump(planes, {4 + aside, 0}, 2) == 5);
+    CHECK(jump(planes, {4 + aside, 8}, 6) == 5);
+  }
+  CHECK(jump(planes, {0, 2}, 0) == 9);  // two rows off, nothing is in the way
+  CHECK(jump(planes, {0, 4}, 0) == 4);
+  CHECK(jump(planes, {4, 4}, 0) == 5);
+}
+
+TEST_CASE("planes know where a cell stands in them, and how much memory they take", "[grid]") {
+  for (const int width : {1, 62, 63, 130}) {
+    for (const int height : {1, 62, 63, 130}) {
+      CAPTURE(width, height);
+      const OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
+      const StopPlanes planes(grid);
+      CHECK(planes.row_stride() == grid.stride());
+      CHECK(planes.column_stride() % 64 == 0);
+      CHECK(planes.column_stride() >= static_cast<std::size_t>(height + 2));
+      for (const Cell cell : {Cell{0, 0}, Cell{width - 1, height - 1}}) {
+        const StopPlanes::Place place = planes.place(cell);
+        CHECK(place.in_rows == grid.index(cell));
+        CHECK(place.in_columns == static_cast<std::size_t>(cell.x + 1) * planes.column_stride() +
+                                      static_cast<std::size_t>(cell.y + 1));
+      }
+      const auto rows = static_cast<std::size_t>(height + 2);
+      const auto columns = static_cast<std::size_t>(width + 2);
+      const std::size_t bits = 2 * (rows * planes.row_stride() + columns * planes.column_stride());
+      CHECK(planes.memory() == bits / 8);
+    }
+  }
+  CHECK(StopPlanes(OccupancyGrid()).row_stride() == 64);
+}
+
+TEST_CASE("64 x 64 bits are transposed", "[grid]") {
+  const std::uint64_t seed = 2;
+  Random random(seed);
+  for (std::size_t round = 0; round < test::scaled(20); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    std::array<std::uint64_t, 64> rows, columns{};
+    for (std::size_t i = 0; i < 64; ++i) {
+      rows[i] = random();
+      for (std::size_t j = 0; j < 64; ++j) columns[j] |= (rows[i] >> j & 1u) << i;
+    }
+    detail::transpose_64(rows);
+    CHECK(rows == columns);
+  }
+}
+
+}  // namespace
