@@ -54,6 +54,7 @@ SHARED = {
     "geometry/tangent/funnel.hpp": "searches and smoothers pull paths through portals",
     "geometry/tangent/oriented_box.hpp": "the taut string sweeps a box over its obstacles",
     "geometry/tangent/tangent_line.hpp": "searches and smoothers draw tangents to safety zones",
+    "grid/bitboard/bits.hpp": "cells look at many neighbours at once",
     "grid/bitboard/free_runs.hpp": "searches and smoothers walk over runs of free cells",
     "grid/bitboard/stop_planes.hpp": "spaces keep the planes in which searches jump",
     "grid/bitboard/successors.hpp": "searches step through the tables of successors",

@@ -55,10 +55,10 @@ std::string complaint(const Expected<T, Failure>& result) {
 std::string yaml_complaint(const std::string& yaml) {
   return complaint(parse_ros_map(yaml, image));
 }
-std::string pgm_complaint(const std::string& pgm) { return complaint(parse_pgm(pgm)); }
+std::string pgm_complaint(const std::string& pgm) { return complaint(detail::parse_pgm(pgm)); }
 
 TEST_CASE("a plain PGM is read row by row from the top") {
-  const auto pgm = parse_pgm(image);
+  const auto pgm = detail::parse_pgm(image);
   REQUIRE(pgm);
   CHECK(pgm->width == 3);
   CHECK(pgm->height == 2);
@@ -70,25 +70,26 @@ TEST_CASE("comments and blanks of any kind may stand between the numbers of a pl
   const std::string text =
       "P2# made by hand\r\n# width:\n\t3 #height\n\n2#\n#\n# maximum\n255 0 205\v254\f\r\n"
       "# bottom 1 2 3\n255 100#\n89#end";
-  const auto pgm = parse_pgm(text);
+  const auto pgm = detail::parse_pgm(text);
   if (!pgm) FAIL(pgm.error().detail);
-  CHECK(pgm->pixels == parse_pgm(image)->pixels);
-  CHECK(parse_pgm("P2 # of an old Mac\r1 1 9 5")->pixels == std::vector<std::uint16_t>{5});
+  CHECK(pgm->pixels == detail::parse_pgm(image)->pixels);
+  CHECK(detail::parse_pgm("P2 # of an old Mac\r1 1 9 5")->pixels == std::vector<std::uint16_t>{5});
 }
 
 TEST_CASE("a raw PGM has its pixels right behind one blank, whatever their bytes mean") {
-  const auto pgm = parse_pgm("P5\n# two rows\n2 2\n255\n" + bytes({'#', '\n', ' ', 255}));
+  const auto pgm = detail::parse_pgm("P5\n# two rows\n2 2\n255\n" + bytes({'#', '\n', ' ', 255}));
   REQUIRE(pgm);
   CHECK(pgm->pixels == std::vector<std::uint16_t>{35, 10, 32, 255});
-  CHECK(parse_pgm("P5 1 1 9 " + bytes({9}))->pixels == std::vector<std::uint16_t>{9});
+  CHECK(detail::parse_pgm("P5 1 1 9 " + bytes({9}))->pixels == std::vector<std::uint16_t>{9});
 }
 
 TEST_CASE("a raw PGM of more than 8 bits has two bytes per pixel, the high one first") {
-  const auto pgm = parse_pgm("P5 3 1 65535\n" + bytes({1, 2, 0, 255, 255, 0}));
+  const auto pgm = detail::parse_pgm("P5 3 1 65535\n" + bytes({1, 2, 0, 255, 255, 0}));
   REQUIRE(pgm);
   CHECK(pgm->pixels == std::vector<std::uint16_t>{258, 255, 65280});
-  CHECK(parse_pgm("P5 1 1 256 " + bytes({1, 0}))->pixels == std::vector<std::uint16_t>{256});
-  CHECK(parse_pgm("P2 1 1 65535 65535")->pixels == std::vector<std::uint16_t>{65535});
+  CHECK(detail::parse_pgm("P5 1 1 256 " + bytes({1, 0}))->pixels ==
+        std::vector<std::uint16_t>{256});
+  CHECK(detail::parse_pgm("P2 1 1 65535 65535")->pixels == std::vector<std::uint16_t>{65535});
 }
 
 TEST_CASE("a malformed PGM is reported with the byte") {
@@ -137,7 +138,7 @@ TEST_CASE("a huge PGM is refused before anything is allocated") {
                                  "99999999999999999999 99999999999999999999"}) {
     CAPTURE(size);
     for (const std::string kind : {"P2 ", "P5 "}) {
-      const auto pgm = parse_pgm(kind + size + " 255 ");
+      const auto pgm = detail::parse_pgm(kind + size + " 255 ");
       REQUIRE_FALSE(pgm);
       CHECK(pgm.error().code == PlanError::limit_exceeded);
       CHECK(pgm.error().detail.find("1073741824 pixels allowed") != std::string::npos);

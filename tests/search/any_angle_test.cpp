@@ -44,6 +44,36 @@ TEST_CASE("AnyAngle keeps the searcher contract, on rows and on a mesh") {
   test::searcher_contract(test::PreparedEachTime<AnyAngle>{}, {.robot = test::Robot::point});
 }
 
+TEST_CASE("a query finds what it finds alone after one that was stopped") {
+  const std::uint64_t seed = 610;
+  Random random(seed);
+  NoObserver nobody;
+  std::size_t found = 0, stopped = 0;
+  for (std::size_t round = 0; round < 300; ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const auto space = CellSpace::build(test::random_grid(random, 40)).value();
+    const AnyAngle search{round % 2 == 0 ? nullptr : AnyAngle::prepare(space).value()};
+    const auto center = [&] {
+      return space.frame().point(test::random_cell(random, space.grid()));
+    };
+    Query first{center(), center()};
+    first.budget.max_expansions = 1 + round % 20;
+    const Query second{center(), center()};
+    AnyAngle::Scratch scratch, unused;
+    const auto cut_short = search.search(space, first, scratch, nobody);
+    const auto after = search.search(space, second, scratch, nobody);
+    const auto alone = search.search(space, second, unused, nobody);
+    REQUIRE(after.has_value() == alone.has_value());
+    stopped += !cut_short && cut_short.error().code == PlanError::budget_exhausted;
+    if (!alone) continue;
+    ++found;
+    CHECK(after->cost == alone->cost);
+    CHECK(after->stats.expanded == alone->stats.expanded);
+  }
+  CHECK(found > 100);
+  CHECK(stopped > 50);
+}
+
 TEST_CASE("any-angle paths are as short as a visibility graph's, between centres and corners",
           "[soak]") {
   const std::uint64_t seed = 600;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "tutavia/search/query_checks.hpp"
 #include "tutavia/plan/query.hpp"
-#include "tutavia/space/inflated_space.hpp"
 
 #include "support/catch.hpp"
+#include "tutavia/space/inflated_space.hpp"
 
 namespace {
 

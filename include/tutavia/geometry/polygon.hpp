@@ -88,50 +88,61 @@ inline bool is_flat(const Ring& ring) {
   });
 }
 
+namespace detail {
+
+/// An edge of a polygon, by its number and that of the edge after it along the ring.
+struct RingEdge {
+  Point a, b;
+  std::size_t index;
+  std::size_t next;
+  double left() const { return std::min(a.x(), b.x()); }
+  double right() const { return std::max(a.x(), b.x()); }
+};
+
+/// Adds the edges of a ring; false where they are fewer than three.
+inline bool add_edges(const Ring& ring, std::vector<RingEdge>& edges) {
+  const std::size_t first = edges.size();
+  for_each_edge(ring, [&](const Point& a, const Point& b) {
+    edges.push_back({a, b, edges.size(), edges.size() + 1});
+  });
+  if (edges.size() > first) edges.back().next = first;
+  return edges.size() - first >= 3;
+}
+
+/// Whether a, b and c lie on one line, a and c on the same side of b.
+inline bool folds_back(const Point& a, const Point& b, const Point& c) {
+  const auto side = [](double from, double to) { return from < to ? 1 : from > to ? -1 : 0; };
+  return orientation(a, b, c) == 0 && (side(b.x(), a.x()) * side(b.x(), c.x()) > 0 ||
+                                       side(b.y(), a.y()) * side(b.y(), c.y()) > 0);
+}
+
+/// Whether two edges meet elsewhere than at a corner of their ring.
+inline bool edges_clash(const RingEdge& x, const RingEdge& y) {
+  if (x.next == y.index) return folds_back(x.a, x.b, y.b);
+  if (y.next == x.index) return folds_back(y.a, y.b, x.b);
+  return segments_intersect(x.a, x.b, y.a, y.b);
+}
+
+}  // namespace detail
+
 /// Whether the polygon's edges meet at the corners of their rings and nowhere else; decided by
 /// exact predicates. Rings without area are not simple. O(n log n) unless very many edges share
 /// abscissas.
 inline bool is_simple(const Polygon& polygon) {
-  struct Edge {
-    Point a, b;
-    std::size_t index;  // consecutive along a ring
-    std::size_t next;
-    double left() const { return std::min(a.x(), b.x()); }
-    double right() const { return std::max(a.x(), b.x()); }
-  };
-  std::vector<Edge> edges;
-  const auto add = [&](const Ring& ring) {
-    const std::size_t first = edges.size();
-    for_each_edge(ring, [&](const Point& a, const Point& b) {
-      edges.push_back({a, b, edges.size(), edges.size() + 1});
-    });
-    if (edges.size() > first) edges.back().next = first;
-    return edges.size() - first >= 3;
-  };
-  if (!add(polygon.outer)) return false;
+  using detail::RingEdge;
+  std::vector<RingEdge> edges;
+  if (!detail::add_edges(polygon.outer, edges)) return false;
   for (const Ring& hole : polygon.holes) {
-    if (!add(hole)) return false;
+    if (!detail::add_edges(hole, edges)) return false;
   }
-  // Whether c lies on the same side of b as a does, for collinear points.
-  const auto folds_back = [](const Point& a, const Point& b, const Point& c) {
-    const auto side = [](double from, double to) { return from < to ? 1 : from > to ? -1 : 0; };
-    return orientation(a, b, c) == 0 && (side(b.x(), a.x()) * side(b.x(), c.x()) > 0 ||
-                                         side(b.y(), a.y()) * side(b.y(), c.y()) > 0);
-  };
-  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
+  std::sort(edges.begin(), edges.end(), [](const RingEdge& x, const RingEdge& y) {
     return x.left() != y.left() ? x.left() < y.left() : x.index < y.index;
   });
-  std::vector<Edge> active;
-  for (const Edge& edge : edges) {
-    std::erase_if(active, [&](const Edge& old) { return old.right() < edge.left(); });
-    for (const Edge& old : active) {
-      const bool after = old.next == edge.index, before = edge.next == old.index;
-      if (after || before) {
-        const Edge &x = after ? old : edge, &y = after ? edge : old;
-        if (folds_back(x.a, x.b, y.b)) return false;
-      } else if (segments_intersect(old.a, old.b, edge.a, edge.b)) {
-        return false;
-      }
+  std::vector<RingEdge> active;  // those that a vertical line crosses, moved from left to right
+  for (const RingEdge& edge : edges) {
+    std::erase_if(active, [&](const RingEdge& old) { return old.right() < edge.left(); });
+    for (const RingEdge& old : active) {
+      if (detail::edges_clash(old, edge)) return false;
     }
     active.push_back(edge);
   }

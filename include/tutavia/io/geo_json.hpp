@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "tutavia/io/text/fields_json.hpp"
+#include "tutavia/io/text/parse_error.hpp"
 #include "tutavia/io/text/read_file.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/world/scene.hpp"
@@ -86,8 +87,11 @@ class GeoJsonReader {
       Polygon polygon;
       fields::each(json, name, [&](const Json& item, const std::string& item_name) {
         Ring ring = fields::ring(item, item_name, true);
-        (item_name == name + "[0]") ? polygon.outer = std::move(ring)
-                                    : polygon.holes.emplace_back(std::move(ring));
+        if (item_name == name + "[0]") {
+          polygon.outer = std::move(ring);
+        } else {
+          polygon.holes.push_back(std::move(ring));
+        }
       });
       out_.obstacles.emplace_back(std::move(polygon));
     } else if (type == "MultiPoint" || type == "MultiLineString" || type == "MultiPolygon") {
@@ -95,7 +99,7 @@ class GeoJsonReader {
         coordinates(item, type.substr(multi.size()), item_name, radius);
       });
     } else {
-      throw name + ": unknown geometry type \"" + type + "\"";
+      throw ParseError{name + ": unknown geometry type \"" + type + "\""};
     }
   }
 

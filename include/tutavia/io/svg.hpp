@@ -3,17 +3,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
-#include <numbers>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/io/text/svg_legend.hpp"
+#include "tutavia/io/text/svg_paths.hpp"
+#include "tutavia/io/text/svg_writer.hpp"
 #include "tutavia/io/text/write_file.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/planner.hpp"
@@ -41,272 +43,152 @@ namespace detail {
 class SvgPicture {
  public:
   SvgPicture(const Workspace& workspace, const SvgOptions& options)
-      : workspace_(workspace), options_(options), bounds_(workspace.bounds) {
-    const double extent = std::max({bounds_.width(), bounds_.height(), 1e-300});
-    scale_ = options.width / extent;
-    width_ = bounds_.width() * scale_;
-    height_ = bounds_.height() * scale_;
-  }
+      : workspace_(workspace),
+        options_(options),
+        paths_{
+            workspace.bounds,
+            options.width / std::max({workspace.bounds.width(), workspace.bounds.height(), 1e-300}),
+            Point(margin, options.title.empty() ? margin : margin + 30), options.y_down},
+        size_{workspace.bounds.width() * paths_.scale, workspace.bounds.height() * paths_.scale},
+        svg_(std::max(size_.x(), 560.0) + 2 * margin,
+             paths_.offset.y() + size_.y() + legend_height) {}
 
   std::string draw(std::span<const Plan> plans) {
-    const double top = options_.title.empty() ? margin : margin + 30;
-    const double legend_height = 60;
-    const double total_width = std::max(width_, 560.0) + 2 * margin;
-    const double total_height = top + height_ + legend_height;
-    offset_ = {margin, top};
-    svg_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(total_width) +
-           "\" height=\"" + number(total_height) + "\" viewBox=\"0 0 " + number(total_width) + " " +
-           number(total_height) +
-           "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"14\">\n"
-           "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
     if (!options_.title.empty()) {
-      text({margin, margin + 12}, options_.title, "font-size=\"18\" font-weight=\"bold\"");
+      svg_.text({margin, margin + 12}, options_.title, "font-size=\"18\" font-weight=\"bold\"");
     }
-    svg_ += "<clipPath id=\"bounds\">" + frame("") + "</clipPath>\n";
-    svg_ += frame(" fill=\"#f7f9fb\"") + "<g clip-path=\"url(#bounds)\">\n";
+    svg_.raw("<clipPath id=\"bounds\">");
+    frame("");
+    svg_.raw("</clipPath>\n");
+    frame(" fill=\"#f7f9fb\"");
+    svg_.raw("<g clip-path=\"url(#bounds)\">\n");
     obstacles();
     rectangles();
     tree();
     for (const Plan& plan : plans) route(plan.route.curve);
     for (std::size_t i = 0; i < plans.size(); ++i) curve(plans[i].curve, colour(i));
-    for (const Point& corner : options_.critical_corners) cross_mark(corner);
-    svg_ += "</g>\n" + frame(" fill=\"none\" stroke=\"#33414e\" stroke-width=\"1.5\"");
+    for (const Point& corner : options_.critical_corners) cross_symbol(svg_, paths_.pixel(corner));
+    svg_.raw("</g>\n");
+    frame(" fill=\"none\" stroke=\"#33414e\" stroke-width=\"1.5\"");
     for (std::size_t i = 0; i < plans.size(); ++i) ends(plans[i].curve, colour(i));
-    legend(top + height_ + 24, !plans.empty());
-    return svg_ + "</svg>\n";
+    legend(!plans.empty());
+    return svg_.finish();
   }
 
  private:
-  static constexpr double margin = 16;
-  static constexpr const char* route_colour = "#7a8794";
-  static constexpr const char* tree_colour = "#9cc3b5";
-  static constexpr const char* rectangle_style =
+  static constexpr double margin = 16, legend_height = 60;
+  static constexpr std::string_view route_style =
+      "stroke=\"#7a8794\" stroke-width=\"1.2\" stroke-dasharray=\"4 3\"";
+  static constexpr std::string_view rectangle_style =
       "fill=\"#7fb2d9\" fill-opacity=\"0.16\" stroke=\"#5b8db8\" stroke-width=\"0.8\"";
-  static constexpr const char* interval_style =
+  static constexpr std::string_view interval_style =
       "stroke=\"#b8478a\" stroke-width=\"2.4\" stroke-linecap=\"round\"";
 
-  static const char* colour(std::size_t i) {  // after Okabe and Ito: told apart by all eyes
+  static std::string colour(std::size_t i) {  // after Okabe and Ito: told apart by all eyes
     constexpr std::array<const char*, 6> colours{"#0072b2", "#d55e00", "#009e73",
                                                  "#cc79a7", "#56b4e9", "#a07400"};
     return colours[i % colours.size()];
   }
-
-  static std::string number(double x) {
-    std::array<char, 64> buffer;
-    std::snprintf(buffer.data(), buffer.size(), "%.2f", x);
-    return buffer.data();
+  static std::string curve_style(const std::string& colour) {
+    return "stroke=\"" + colour + "\" stroke-width=\"3\"";
   }
 
-  Point pixel(const Point& p) const {
-    return {offset_.x() + (p.x() - bounds_.min.x()) * scale_,
-            offset_.y() +
-                (options_.y_down ? p.y() - bounds_.min.y() : bounds_.max.y() - p.y()) * scale_};
-  }
-  std::string at(const Point& p) const {
-    const Point q = pixel(p);
-    return number(q.x()) + " " + number(q.y());
-  }
+  static std::string number(double x) { return SvgWriter::number(x); }
 
-  std::string frame(const std::string& style) const {
-    return "<rect x=\"" + number(offset_.x()) + "\" y=\"" + number(offset_.y()) + "\" width=\"" +
-           number(width_) + "\" height=\"" + number(height_) + "\"" + style + "/>\n";
-  }
-
-  void circle(const Point& pixel_centre, double radius, const std::string& style) {
-    svg_ += "<circle cx=\"" + number(pixel_centre.x()) + "\" cy=\"" + number(pixel_centre.y()) +
-            "\" r=\"" + number(radius) + "\" " + style + "/>\n";
-  }
-
-  void text(const Point& place, const std::string& content, const std::string& style) {
-    svg_ += "<text x=\"" + number(place.x()) + "\" y=\"" + number(place.y()) +
-            "\" fill=\"#222b33\" " + style + ">";
-    for (const char c : content) {
-      if (c == '<')
-        svg_ += "&lt;";
-      else if (c == '&')
-        svg_ += "&amp;";
-      else
-        svg_ += c;
-    }
-    svg_ += "</text>\n";
-  }
-
-  std::string ring_path(const Ring& ring) const {
-    std::string d;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      d += i == 0 ? 'M' : 'L';
-      d += at(ring[i]);
-    }
-    d += 'Z';
-    return d;
+  /// The bounds.
+  void frame(std::string_view style) {
+    svg_.raw("<rect x=\"" + number(paths_.offset.x()) + "\" y=\"" + number(paths_.offset.y()) +
+             "\" width=\"" + number(size_.x()) + "\" height=\"" + number(size_.y()) + "\"");
+    svg_.raw(style);
+    svg_.raw("/>\n");
   }
 
   /// The shapes of all obstacles. Stroked with twice the safety radius and round joins they are
   /// exactly the safety zones.
-  std::string shapes(double stroke_radius) const {
-    std::string result;
+  void shapes(double stroke_radius) {
     for (const Obstacle& obstacle : workspace_.obstacles) {
       if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
-        const Point c = pixel(disc->center);
-        result += "<circle cx=\"" + number(c.x()) + "\" cy=\"" + number(c.y()) + "\" r=\"" +
-                  number((disc->radius + stroke_radius) * scale_) + "\" stroke=\"none\"/>\n";
+        svg_.circle(paths_.pixel(disc->center), (disc->radius + stroke_radius) * paths_.scale,
+                    "stroke=\"none\"");
         continue;
       }
       const Polygon& polygon = std::get<Polygon>(obstacle);
-      result += "<path fill-rule=\"evenodd\" d=\"" + ring_path(polygon.outer);
-      for (const Ring& hole : polygon.holes) result += ring_path(hole);
-      result += "\"/>\n";
+      svg_.raw("<path fill-rule=\"evenodd\" d=\"" + paths_.of_ring(polygon.outer));
+      for (const Ring& hole : polygon.holes) svg_.raw(paths_.of_ring(hole));
+      svg_.raw("\"/>\n");
     }
-    return result;
   }
 
   void obstacles() {
     const double r = workspace_.safety_radius;
-    svg_ += "<g fill=\"#f6d9b8\" stroke=\"#f6d9b8\" stroke-linejoin=\"round\" stroke-width=\"" +
-            number(2 * r * scale_) + "\">\n" + shapes(r) + "</g>\n";
-    svg_ += "<g fill=\"#4a5763\" stroke=\"#4a5763\" stroke-width=\"1\">\n" + shapes(0) + "</g>\n";
+    svg_.raw("<g fill=\"#f6d9b8\" stroke=\"#f6d9b8\" stroke-linejoin=\"round\" stroke-width=\"" +
+             number(2 * r * paths_.scale) + "\">\n");
+    shapes(r);
+    svg_.raw("</g>\n<g fill=\"#4a5763\" stroke=\"#4a5763\" stroke-width=\"1\">\n");
+    shapes(0);
+    svg_.raw("</g>\n");
   }
 
   void rectangles() {
     for (const Box& box : options_.rectangles) {  // as paths: those without area show their border
-      const Point a = pixel(box.min), b = pixel(box.max);
-      svg_.append("<path d=\"M").append(number(a.x())).append(" ").append(number(a.y()));
-      svg_.append("H").append(number(b.x())).append("V").append(number(b.y()));
-      svg_.append("H").append(number(a.x())).append("Z\" ").append(rectangle_style).append("/>\n");
+      const Point a = paths_.pixel(box.min), b = paths_.pixel(box.max);
+      const std::string from = SvgWriter::pair(a), right = number(b.x());
+      svg_.path("M" + from + "H" + right + "V" + number(b.y()) + "H" + number(a.x()) + "Z",
+                rectangle_style);
     }
+    lines(options_.intervals, interval_style);
+  }
+
+  void tree() { lines(options_.tree, tree_style("0.7")); }
+  static std::string tree_style(const std::string& width) {
+    return "stroke=\"#9cc3b5\" stroke-width=\"" + width + "\"";
+  }
+
+  /// Segments as one path.
+  void lines(const std::vector<Segment>& segments, std::string_view style) {
+    if (segments.empty()) return;
     std::string d;
-    for (const Segment& s : options_.intervals) {
-      d.append("M").append(at(s.a)).append("L").append(at(s.b));
-    }
-    if (!d.empty()) stroke(d, interval_style);
-  }
-
-  void tree() {
-    if (options_.tree.empty()) return;
-    std::string d;
-    for (const Segment& edge : options_.tree)
-      d.append("M").append(at(edge.a)).append("L").append(at(edge.b));
-    stroke(d, std::string("stroke=\"") + tree_colour + "\" stroke-width=\"0.7\"");
-  }
-
-  std::string curve_path(const Curve& curve) const {
-    if (curve.empty()) return {};
-    std::string d = "M" + at(curve.start());
-    for (const Piece& any : curve.pieces()) {
-      if (const auto* segment = any.get_if<Segment>()) {
-        d += "L" + at(segment->b);
-      } else if (const auto* q = any.get_if<QuadraticBezier>()) {
-        d += "Q" + at(q->points[1]) + " " + at(q->points[2]);
-      } else if (const auto* c = any.get_if<CubicBezier>()) {
-        d += "C" + at(c->points[1]) + " " + at(c->points[2]) + " " + at(c->points[3]);
-      } else if (const auto* arc = any.get_if<Arc>()) {
-        // Two halves, because SVG cannot tell a full circle from none; y points down there.
-        const bool is_clockwise = (arc->sweep > 0) == options_.y_down;
-        const std::string radius = number(arc->radius * scale_);
-        for (const double t : {0.5, 1.0}) {
-          d.append("A").append(radius).append(" ").append(radius);
-          d.append(is_clockwise ? " 0 0 1 " : " 0 0 0 ").append(at(arc->point(t)));
-        }
-      } else if (const auto* clothoid = any.get_if<Clothoid>()) {
-        d += clothoid_path(*clothoid);
-      }
-    }
-    return d;
-  }
-
-  /// As cubic Bezier pieces with the same ends and directions, none of which turns much.
-  std::string clothoid_path(const Clothoid& clothoid) const {
-    const double turn = clothoid.largest_curvature() * clothoid.arc_length;
-    const int parts = std::max(1, static_cast<int>(std::ceil(2 * turn)));
-    std::string d;
-    for (int i = 0; i < parts; ++i) {
-      const double from = double(i) / parts, to = (i + 1.0) / parts, handle = (to - from) / 3;
-      d.append("C").append(at(advance(clothoid.point(from), handle, clothoid.derivative(from))));
-      d.append(" ").append(at(advance(clothoid.point(to), -handle, clothoid.derivative(to))));
-      d.append(" ").append(at(clothoid.point(to)));
-    }
-    return d;
-  }
-
-  void stroke(const std::string& d, const std::string& style) {
-    svg_ += "<path d=\"" + d + "\" fill=\"none\" stroke-linejoin=\"round\" " + style + "/>\n";
+    for (const Segment& s : segments)
+      d.append("M").append(paths_.at(s.a)).append("L").append(paths_.at(s.b));
+    svg_.stroke(d, style);
   }
 
   void route(const Curve& curve) {
-    stroke(curve_path(curve), std::string("stroke=\"") + route_colour +
-                                  "\" stroke-width=\"1.2\" stroke-dasharray=\"4 3\"");
+    svg_.stroke(paths_.of_curve(curve), route_style);
     for (const Piece& piece : curve.pieces()) {
-      circle(pixel(end_of(piece)), 1.6, std::string("fill=\"") + route_colour + "\"");
+      svg_.circle(paths_.pixel(end_of(piece)), 1.6, "fill=\"#7a8794\"");
     }
   }
 
   void curve(const Curve& curve, const std::string& colour) {
-    stroke(curve_path(curve), "stroke=\"#ffffff\" stroke-width=\"6\" stroke-opacity=\"0.7\"");
-    stroke(curve_path(curve), "stroke=\"" + colour + "\" stroke-width=\"3\"");
+    const std::string d = paths_.of_curve(curve);
+    svg_.stroke(d, "stroke=\"#ffffff\" stroke-width=\"6\" stroke-opacity=\"0.7\"");
+    svg_.stroke(d, curve_style(colour));
   }
 
-  void cross_at(const Point& q) {
-    stroke("M" + number(q.x() - 5) + " " + number(q.y() - 5) + "l10 10m0 -10l-10 10",
-           "stroke=\"#c1121f\" stroke-width=\"2.4\"");
-  }
-  void cross_mark(const Point& p) { cross_at(pixel(p)); }
-
-  void start_at(const Point& q) {
-    circle(q, 7, "fill=\"#ffffff\" stroke=\"#222b33\" stroke-width=\"2.5\"");
-  }
-  void goal_at(const Point& q, const std::string& colour) {
-    circle(q, 7, "fill=\"" + colour + "\" stroke=\"#ffffff\" stroke-width=\"2\"");
-  }
   void ends(const Curve& curve, const std::string& colour) {
     if (curve.empty()) return;
-    start_at(pixel(curve.start()));
-    goal_at(pixel(curve.end()), colour);
+    start_symbol(svg_, paths_.pixel(curve.start()));
+    goal_symbol(svg_, paths_.pixel(curve.end()), colour);
   }
 
-  void legend(double y, bool has_plans) {
-    double x = margin;
-    const auto entry = [&](const std::string& label, double width, auto symbol) {
-      symbol(Point{x + 14, y});
-      text({x + 34, y + 5}, label, "");
-      x += width;
-    };
-    const auto patch = [&](const char* fill) {
-      return [this, fill](const Point& q) {
-        svg_ += "<rect x=\"" + number(q.x() - 12) + "\" y=\"" + number(q.y() - 7) +
-                "\" width=\"24\" height=\"14\" fill=\"" + fill + "\"/>\n";
-      };
-    };
-    const auto line = [&](const std::string& style) {
-      return [this, style](const Point& q) {
-        stroke("M" + number(q.x() - 13) + " " + number(q.y()) + "h26", style);
-      };
-    };
-    entry("obstacle", 108, patch("#4a5763"));
-    entry("safety zone, " + trimmed(workspace_.safety_radius) + " m", 178, patch("#f6d9b8"));
+  void legend(bool has_plans) {
+    SvgLegend legend(svg_, {margin, paths_.offset.y() + size_.y() + 24});
+    legend.area("obstacle", 108, "fill=\"#4a5763\"");
+    legend.area("safety zone, " + trimmed(workspace_.safety_radius) + " m", 178,
+                "fill=\"#f6d9b8\"");
     if (has_plans) {
-      entry("proved curve", 136,
-            line(std::string("stroke=\"") + colour(0) + "\" stroke-width=\"3\""));
-      entry("route", 84,
-            line(std::string("stroke=\"") + route_colour +
-                 "\" stroke-width=\"1.2\" stroke-dasharray=\"4 3\""));
-      x = margin;
-      y += 24;
-      entry("start", 108, [this](const Point& q) { start_at(q); });
-      entry("goal", 178, [this](const Point& q) { goal_at(q, colour(0)); });
+      legend.line("proved curve", 136, curve_style(colour(0)));
+      legend.line("route", 84, route_style);
+      legend.next_row();
+      legend.entry("start", 108, [&](const Point& p) { start_symbol(svg_, p); });
+      legend.entry("goal", 178, [&](const Point& p) { goal_symbol(svg_, p, colour(0)); });
     }
-    if (!options_.tree.empty()) {
-      entry("tree", 84, line(std::string("stroke=\"") + tree_colour + "\" stroke-width=\"1.5\""));
-    }
-    if (!options_.rectangles.empty()) {
-      entry("rectangle", 108, [this](const Point& q) {
-        svg_.append("<rect x=\"").append(number(q.x() - 12)).append("\" y=\"");
-        svg_.append(number(q.y() - 7)).append("\" width=\"24\" height=\"14\" ");
-        svg_.append(rectangle_style).append("/>\n");
-      });
-    }
-    if (!options_.intervals.empty()) entry("interval", 108, line(interval_style));
+    if (!options_.tree.empty()) legend.line("tree", 84, tree_style("1.5"));
+    if (!options_.rectangles.empty()) legend.area("rectangle", 108, rectangle_style);
+    if (!options_.intervals.empty()) legend.line("interval", 108, interval_style);
     if (!options_.critical_corners.empty()) {
-      entry("critical corner", 140, [this](const Point& q) { cross_at(q); });
+      legend.entry("critical corner", 140, [&](const Point& p) { cross_symbol(svg_, p); });
     }
   }
 
@@ -318,10 +200,9 @@ class SvgPicture {
 
   const Workspace& workspace_;
   const SvgOptions& options_;
-  Box bounds_;
-  double scale_ = 1, width_ = 0, height_ = 0;
-  Point offset_ = Point::Zero();
-  std::string svg_;
+  SvgPaths paths_;
+  Point size_;  // of the bounds, in pixels
+  SvgWriter svg_;
 };
 
 }  // namespace detail

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tutavia/geometry/polygon.hpp"
+#include "tutavia/io/text/parse_error.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/world/workspace.hpp"
 
@@ -34,20 +35,13 @@ class WktReader {
  public:
   explicit WktReader(std::string_view text) : text_(text) {}
 
-  Expected<WktObstacles, Failure> read() {
-    try {
-      for (skip_comments(); next_ < text_.size(); skip_comments()) geometry();
-    } catch (const ParseError& error) {
-      return fail(PlanError::invalid_input, error.message);
-    }
+  /// Throws a ParseError that names line and column.
+  WktObstacles read() {
+    for (skip_comments(); next_ < text_.size(); skip_comments()) geometry();
     return std::move(out_);
   }
 
  private:
-  struct ParseError {
-    std::string message;
-  };
-
   void geometry() {
     first_ = next_;
     ordinates_ = 0;
@@ -58,7 +52,11 @@ class WktReader {
       list([this] {
         const auto point = [this] { add(vertex()); };
         skip_space();
-        is_number_next() ? point() : list(point, 1);
+        if (is_number_next()) {
+          point();
+        } else {
+          list(point, 1);
+        }
       });
     } else if (is(type, "LINESTRING")) {
       add_line();
@@ -239,7 +237,7 @@ class WktReader {
 /// All else is `invalid_input` with line and column. Obstacles are not validated before a space is
 /// built.
 inline Expected<WktObstacles, Failure> parse_wkt(std::string_view text) {
-  return detail::WktReader(text).read();
+  return detail::parse_or_fail([&] { return detail::WktReader(text).read(); });
 }
 
 }  // namespace tutavia

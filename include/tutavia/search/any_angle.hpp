@@ -10,6 +10,8 @@
 #include "tutavia/plan/query.hpp"
 #include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
+#include "tutavia/search/mesh/convex_pieces.hpp"
+#include "tutavia/search/mesh/interval_scratch.hpp"
 #include "tutavia/search/mesh/polyanya.hpp"
 #include "tutavia/search/navigation_mesh.hpp"
 #include "tutavia/search/query_checks.hpp"

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "tutavia/grid/cell_costs.hpp"
+#include "tutavia/search/grid/expansion_search.hpp"
 #include "tutavia/search/grid/goal_estimate.hpp"
 #include "tutavia/search/grid/grid_graph.hpp"
-#include "tutavia/search/grid/grid_search.hpp"
 #include "tutavia/search/heuristic.hpp"
 
 /// \file

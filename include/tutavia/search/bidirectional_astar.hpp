@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tutavia/search/grid/expansion_search.hpp"
 #include "tutavia/search/grid/goal_estimate.hpp"
-#include "tutavia/search/grid/grid_search.hpp"
 #include "tutavia/search/query_checks.hpp"
 
 /// \file

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
+#include "tutavia/search/grid/expansion_search.hpp"
 #include "tutavia/search/grid/goal_estimate.hpp"
-#include "tutavia/search/grid/grid_search.hpp"
 
 /// \file
 /// Canonical A*: A* that generates each of many equal paths once.

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -16,10 +16,12 @@
 #include "tutavia/core/expected.hpp"
 #include "tutavia/core/parts/bytes.hpp"
 #include "tutavia/geometry/predicates.hpp"
-#include "tutavia/grid/corner_cells.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/search/mesh/constrained_delaunay.hpp"
+#include "tutavia/search/mesh/mesh_builder.hpp"
+#include "tutavia/search/mesh/polygon_bins.hpp"
+#include "tutavia/search/mesh/sides.hpp"
 
 /// \file
 /// NavigationMesh: the free cells of a grid as few convex polygons, prepared.
@@ -54,9 +56,9 @@ class NavigationMesh {
   int height() const { return height_; }
   std::size_t size() const { return way_out_.size(); }
   std::size_t memory() const {
-    return first_side_.size() * sizeof(std::uint32_t) + sides_.size() * sizeof(Side) +
-           way_out_.size() * sizeof(Piece) + first_in_bin_.size() * sizeof(std::uint32_t) +
-           in_bin_.size() * sizeof(Piece);
+    return first_side_.size() * sizeof(std::uint32_t) +
+           sides_.size() * sizeof(detail::PolygonSide) + way_out_.size() * sizeof(Piece) +
+           bins_.memory();
   }
 
   /// A piece as RowRuns has it; here there is nothing to look up.
@@ -65,15 +67,14 @@ class NavigationMesh {
   /// Calls `visit(piece)` for every polygon that may touch a cell.
   template <class Visit>
   void for_each_near(Cell cell, const Visit& visit) const {
-    const std::size_t bin = bin_of(std::clamp(cell.x, 0, width_), std::clamp(cell.y, 0, height_));
-    for (std::uint32_t i = first_in_bin_[bin]; i < first_in_bin_[bin + 1]; ++i) visit(in_bin_[i]);
+    bins_.for_each_near(cell, visit);
   }
 
   /// Whether a point lies in a polygon or on its border; `place(corner)` says where corners lie.
   template <class Place>
   bool holds(Piece piece, const Point& p, const Place& place) const {
-    for (std::uint32_t i = first_side_[piece]; i < first_side_[piece + 1]; ++i) {
-      if (orientation(place(sides_[i].right), place(sides_[i].left), p) < 0) return false;
+    for (const detail::PolygonSide& side : sides(piece)) {
+      if (orientation(place(side.right), place(side.left), p) < 0) return false;
     }
     return true;
   }
@@ -82,8 +83,8 @@ class NavigationMesh {
   /// as seen from within.
   template <class Visit>
   void for_each_exit(Piece piece, const Visit& visit) const {
-    for (std::uint32_t i = first_side_[piece]; i < first_side_[piece + 1]; ++i) {
-      if (sides_[i].beyond != none) visit(sides_[i].right, sides_[i].left, sides_[i].beyond);
+    for (const detail::PolygonSide& side : sides(piece)) {
+      if (side.beyond != none) visit(side.right, side.left, side.beyond);
     }
   }
 
@@ -96,28 +97,12 @@ class NavigationMesh {
   std::size_t dead_end_limit() const { return size(); }
 
  private:
-  /// A straight part of the border between free and blocked cells, free ones on its left.
-  struct Wall {
-    Cell from, to;
-    friend bool operator==(const Wall&, const Wall&) = default;
-    friend bool operator<(const Wall& a, const Wall& b) {
-      return std::tie(a.from.y, a.from.x, a.to.y, a.to.x) <
-             std::tie(b.from.y, b.from.x, b.to.y, b.to.x);
-    }
-  };
-  /// A side of a polygon, counterclockwise from right to left as seen from within.
-  struct Side {
-    Cell right, left;
-    Piece beyond;  // none: blocked
-  };
-  static constexpr int bin_side = 8;  // cells
+  NavigationMesh(int width, int height) : width_(width), height_(height), bins_(width, height) {}
 
-  NavigationMesh(int width, int height)
-      : width_(width), height_(height), bin_columns_(width / bin_side + 1) {}
-
-  /// All walls of a grid, whose map is surrounded by blocked cells, from corner to corner.
-  static std::vector<Wall> walls(const OccupancyGrid& grid);
-  static bool is_convex(const std::vector<Cell>& ring);
+  /// A polygon's sides.
+  std::span<const detail::PolygonSide> sides(Piece piece) const {
+    return {sides_.data() + first_side_[piece], sides_.data() + first_side_[piece + 1]};
+  }
   /// Adds a polygon by its vertices, counterclockwise.
   void add(const std::vector<Cell>& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -128,46 +113,18 @@ class NavigationMesh {
   }
   /// Finds what lies beyond the sides; false unless those without a neighbour are the grid's walls,
   /// every one once.
-  bool join(std::vector<Wall> walls);
+  bool join(std::vector<detail::Wall> walls);
   void find_dead_ends();
-  void fill_bins();
-  /// Calls `visit(bin)` for every bin that a polygon touches, and perhaps for some others.
-  template <class Visit>
-  void for_each_bin(Piece piece, const Visit& visit) const;
-  std::size_t bin_of(int x, int y) const {
-    return static_cast<std::size_t>(y / bin_side) * static_cast<std::size_t>(bin_columns_) +
-           static_cast<std::size_t>(x / bin_side);
+  void fill_bins() {
+    bins_.fill(static_cast<Piece>(size()), [&](Piece piece) { return sides(piece); });
   }
 
-  int width_, height_, bin_columns_;
+  int width_, height_;
   std::vector<std::uint32_t> first_side_{0};  // by polygon, and the end
-  std::vector<Side> sides_;
+  std::vector<detail::PolygonSide> sides_;
   std::vector<Piece> way_out_;  // by polygon; none: no dead end
-  std::vector<std::uint32_t> first_in_bin_;
-  std::vector<Piece> in_bin_;
+  detail::PolygonBins bins_;
 };
-
-inline std::vector<NavigationMesh::Wall> NavigationMesh::walls(const OccupancyGrid& grid) {
-  std::vector<Wall> result;
-  const Cell nowhere{-1, -1};
-  std::vector<Cell> below(static_cast<std::size_t>(grid.width()) + 1, nowhere);
-  for (int y = 0; y <= grid.height(); ++y) {
-    Cell before = nowhere;
-    for (int x = 0; x <= grid.width(); ++x) {
-      const Cell corner{x, y};
-      const CornerCells around(grid, corner);
-      if (!around.is_vertex()) continue;
-      Cell& under = below[static_cast<std::size_t>(x)];
-      if (around.nw != around.sw)
-        result.push_back(around.nw ? Wall{before, corner} : Wall{corner, before});
-      if (around.sw != around.se)
-        result.push_back(around.sw ? Wall{under, corner} : Wall{corner, under});
-      before = corner;
-      under = corner;
-    }
-  }
-  return result;
-}
 
 inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGrid& grid) {
   if (grid.width() > max_side || grid.height() > max_side) {
@@ -176,85 +133,17 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
                                                " cells needed, " + std::to_string(max_side) +
                                                " a side allowed");
   }
-  using Index = detail::ConstrainedDelaunay::Index;
-  // Corners along Morton's curve, so that each is near the one before.
-  struct Vertex {
-    std::uint64_t key;
-    Cell corner;
-    Index index;
-  };
-  const auto morton = [](Cell corner) {
-    const auto spread = [](int value) {
-      auto bits = static_cast<std::uint64_t>(value);
-      bits = (bits | bits << 8) & 0x00FF00FF;
-      bits = (bits | bits << 4) & 0x0F0F0F0F;
-      bits = (bits | bits << 2) & 0x33333333;
-      return (bits | bits << 1) & 0x55555555;
-    };
-    return spread(corner.x) | spread(corner.y) << 1;
-  };
-  std::vector<Wall> walls = NavigationMesh::walls(grid);
+  std::vector<detail::Wall> walls = detail::walls_of(grid);
   constexpr std::size_t max_walls = std::size_t{1} << 28;  // six half-edges each, at most
   if (walls.size() > max_walls) {
     return fail(PlanError::limit_exceeded, "navigation mesh of " + std::to_string(walls.size()) +
                                                " walls needed, " + std::to_string(max_walls) +
                                                " allowed");
   }
-  std::vector<Vertex> vertices;
-  vertices.reserve(walls.size());
-  for (const Wall& wall : walls) vertices.push_back({morton(wall.from), wall.from, 0});
-  const auto by_key = [](const Vertex& a, const Vertex& b) { return a.key < b.key; };
-  std::sort(vertices.begin(), vertices.end(), by_key);
-  detail::ConstrainedDelaunay triangles({-1, -1}, {grid.width() + 1, grid.height() + 1});
-  for (Vertex& vertex : vertices) vertex.index = triangles.insert(vertex.corner);
-  const auto index = [&](Cell corner) {
-    const Vertex wanted{morton(corner), corner, 0};
-    return std::lower_bound(vertices.begin(), vertices.end(), wanted, by_key)->index;
-  };
-  for (const Wall& wall : walls) triangles.fix(index(wall.from), index(wall.to));
-  triangles.restore();
-
-  // Polygons as rings of half-edges; the longest sides that may go, go first.
-  const Index count = triangles.half_edge_count();
-  std::vector<Index> next(count), previous(count);
-  std::vector<char> inside(count);
-  std::vector<std::pair<std::int64_t, Index>> shared;
-  for (Index e = 0; e < count; ++e) {
-    next[e] = detail::ConstrainedDelaunay::next(e);
-    previous[e] = detail::ConstrainedDelaunay::previous(e);
-    const Cell sum = triangles.from(e) + triangles.from(next[e]) + triangles.from(previous[e]);
-    const Cell cell{(sum.x + 3) / 3 - 1, (sum.y + 3) / 3 - 1};
-    inside[e] = grid.contains(cell) && grid.is_free(cell) ? 1 : 0;
-  }
-  for (Index e = 0; e < count; ++e) {
-    const Index t = triangles.twin(e);
-    if (!inside[e] || t == detail::ConstrainedDelaunay::none || t < e || !inside[t]) continue;
-    const Cell d = triangles.to(e) - triangles.from(e);
-    shared.emplace_back(-(std::int64_t{d.x} * d.x + std::int64_t{d.y} * d.y), e);
-  }
-  std::sort(shared.begin(), shared.end());
-  for (const auto& [length, e] : shared) {
-    const Index t = triangles.twin(e);
-    const auto turns_left = [&](Index in, Index out) {
-      return turn(triangles.from(in), triangles.from(out), triangles.from(next[out])) >= 0;
-    };
-    if (!turns_left(previous[e], next[t]) || !turns_left(previous[t], next[e])) continue;
-    next[previous[e]] = next[t], previous[next[t]] = previous[e];
-    next[previous[t]] = next[e], previous[next[e]] = previous[t];
-    inside[e] = inside[t] = 0;
-  }
-
   NavigationMesh mesh(grid.width(), grid.height());
-  std::vector<Cell> ring;
-  for (Index first = 0; first < count; ++first) {
-    if (!inside[first]) continue;
-    ring.clear();
-    for (Index e = first; inside[e]; e = next[e]) {
-      ring.push_back(triangles.from(e));
-      inside[e] = 0;
-    }
+  detail::MeshBuilder(grid, walls).collect_polygons([&](const std::vector<Cell>& ring) {
     mesh.add(ring);
-  }
+  });
   const bool whole = mesh.join(std::move(walls));
   TUTAVIA_ASSERT(whole);
   static_cast<void>(whole);
@@ -263,10 +152,11 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
   return mesh;
 }
 
-inline bool NavigationMesh::join(std::vector<Wall> walls) {
+inline bool NavigationMesh::join(std::vector<detail::Wall> walls) {
+  using detail::Wall;
   // Sides by their ends, so that the two of a shared one stand together.
   struct End {
-    Wall side;  // from the lesser to the greater end
+    detail::Wall side;  // from the lesser to the greater end
     bool turned;
     std::uint32_t id;
     Piece piece;
@@ -275,16 +165,16 @@ inline bool NavigationMesh::join(std::vector<Wall> walls) {
   ends.reserve(sides_.size());
   for (Piece piece = 0; piece < size(); ++piece) {
     for (std::uint32_t i = first_side_[piece]; i < first_side_[piece + 1]; ++i) {
-      const Wall there{sides_[i].right, sides_[i].left}, back{there.to, there.from};
+      const detail::Wall there{sides_[i].right, sides_[i].left}, back{there.to, there.from};
       ends.push_back({std::min(there, back), back < there, i, piece});
     }
   }
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
     return std::tie(a.side, a.turned) < std::tie(b.side, b.turned);
   });
-  std::vector<Wall> bare;
+  std::vector<detail::Wall> bare;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const Side& side = sides_[ends[i].id];
+    const detail::PolygonSide& side = sides_[ends[i].id];
     if (i + 1 < ends.size() && ends[i].side == ends[i + 1].side &&
         ends[i].turned != ends[i + 1].turned) {
       sides_[ends[i].id].beyond = ends[i + 1].piece;
@@ -316,68 +206,6 @@ inline void NavigationMesh::find_dead_ends() {
       if (--ways[beyond] == 1) found.push_back(beyond);
     });
   }
-}
-
-template <class Visit>
-void NavigationMesh::for_each_bin(Piece piece, const Visit& visit) const {
-  int bottom = height_, top = 0;
-  for (std::uint32_t i = first_side_[piece]; i < first_side_[piece + 1]; ++i) {
-    bottom = std::min(bottom, sides_[i].right.y);
-    top = std::max(top, sides_[i].right.y);
-  }
-  for (int row = bottom / bin_side; row <= top / bin_side; ++row) {
-    int low = width_, high = 0;
-    for (std::uint32_t i = first_side_[piece]; i < first_side_[piece + 1]; ++i) {
-      const Cell a = sides_[i].right, b = sides_[i].left;
-      const auto offer = [&](int y) {  // where the side crosses a level
-        if (y < std::min(a.y, b.y) || y > std::max(a.y, b.y)) return;
-        const int rise = a.y == b.y ? 1 : b.y - a.y;
-        const std::int64_t run = a.y == b.y ? 0 : (std::int64_t{b.x} - a.x) * (y - a.y);
-        const auto x = static_cast<int>(a.x + run / rise);
-        low = std::min(low, x - 1);
-        high = std::max(high, x + 1);
-      };
-      offer(row * bin_side);
-      offer((row + 1) * bin_side);
-      if (a.y / bin_side == row) low = std::min(low, a.x), high = std::max(high, a.x);
-    }
-    low = std::max(low, 0) / bin_side;
-    high = std::min(high, width_) / bin_side;
-    for (int column = low; column <= high; ++column) {
-      visit(bin_of(column * bin_side, row * bin_side));
-    }
-  }
-}
-
-inline void NavigationMesh::fill_bins() {
-  first_in_bin_.assign(bin_of(width_, height_) + 2, 0);
-  for (Piece piece = 0; piece < size(); ++piece) {
-    for_each_bin(piece, [&](std::size_t bin) { ++first_in_bin_[bin + 1]; });
-  }
-  for (std::size_t bin = 1; bin < first_in_bin_.size(); ++bin) {
-    first_in_bin_[bin] += first_in_bin_[bin - 1];
-  }
-  in_bin_.resize(first_in_bin_.back());
-  std::vector<std::uint32_t> at(first_in_bin_.begin(), first_in_bin_.end() - 1);
-  for (Piece piece = 0; piece < size(); ++piece) {
-    for_each_bin(piece, [&](std::size_t bin) { in_bin_[at[bin]++] = piece; });
-  }
-}
-
-/// Whether a ring turns left or goes straight on at every vertex, once around.
-inline bool NavigationMesh::is_convex(const std::vector<Cell>& ring) {
-  const std::size_t n = ring.size();
-  const auto side = [&](std::size_t i) { return ring[(i + 1) % n] - ring[i % n]; };
-  const auto is_down = [](Cell d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
-  int rounds = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Cell a = side(i), b = side(i + 1);
-    const std::int64_t bend = turn({0, 0}, a, b);
-    const bool ahead = std::int64_t{a.x} * b.x + std::int64_t{a.y} * b.y > 0;
-    if (bend < 0 || (bend == 0 && !ahead)) return false;
-    if (is_down(a) && !is_down(b)) ++rounds;
-  }
-  return rounds == 1;
 }
 
 namespace detail {
@@ -424,12 +252,14 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::from_bytes(std::string_
       }
       ring.push_back({static_cast<int>(x), static_cast<int>(y)});
     }
-    if (!is_convex(ring)) return broken("the navigation mesh is damaged");
+    if (!detail::is_convex(ring)) return broken("the navigation mesh is damaged");
     mesh.add(ring);
   }
   // Convex polygons whose borders cancel out but for the grid's walls cover what these surround,
   // every point once.
-  if (!mesh.join(walls(grid))) return broken("the navigation mesh was made for another grid");
+  if (!mesh.join(detail::walls_of(grid))) {
+    return broken("the navigation mesh was made for another grid");
+  }
   mesh.find_dead_ends();
   mesh.fill_bins();
   return mesh;

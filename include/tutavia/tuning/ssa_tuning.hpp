@@ -104,8 +104,8 @@ Expected<TunedWeights, Failure> tune_ssa(std::span<const S> spaces, std::span<co
   for (const SsaWeights& bound : {training.lower, training.upper}) {
     if (const auto failure = SsaAStar::check(bound)) return Unexpected{*failure};
   }
-  const auto references = detail::ssa_references(spaces, queries);
-  if (!references) return Unexpected{references.error()};
+  auto references = detail::ssa_references(spaces, queries);
+  if (!references) return std::move(references).unexpected();
   const auto fitness = [&](std::span<const double> w) {
     return detail::ssa_fitness(SsaAStar{{w[0], w[1], w[2]}}, spaces, queries,
                                std::span<const detail::SsaReference>(*references),
@@ -116,7 +116,7 @@ Expected<TunedWeights, Failure> tune_ssa(std::span<const S> spaces, std::span<co
   const std::array upper{training.upper.chebyshev, training.upper.euclidean,
                          training.upper.density};
   auto found = training.swarm.minimise(fitness, lower, upper);
-  if (!found) return Unexpected{std::move(found.error())};
+  if (!found) return std::move(found).unexpected();
   const auto& best = found->best;
   return TunedWeights{{best[0], best[1], best[2]}, found->value, std::move(found->training)};
 }

@@ -14,6 +14,55 @@
 
 namespace tutavia::detail {
 
+/// Two chains that part at an apex, the last certain point of a shortest path.
+class Funnel {
+ public:
+  explicit Funnel(const Point& start) : path_{start}, chains_{start} {}
+
+  /// A new right end takes off what the right chain would have to bend outwards for.
+  void add_right(const Point& p) {
+    while (chains_.size() > 1) {
+      const std::size_t last = chains_.size() - 1;
+      if (last > apex_) {  // on the right chain: it stays convex
+        if (orientation(chains_[last - 1], chains_[last], p) < 0) break;
+        chains_.pop_back();
+      } else {  // the apex is the right end: it moves along the left chain
+        if (orientation(chains_[apex_], chains_[apex_ - 1], p) <= 0) break;
+        chains_.pop_back();
+        --apex_;
+        path_.push_back(chains_[apex_]);
+      }
+    }
+    chains_.push_back(p);
+  }
+  void add_left(const Point& p) {
+    while (chains_.size() > 1) {
+      if (apex_ > 0) {
+        if (orientation(chains_[1], chains_[0], p) > 0) break;
+        chains_.pop_front();
+        --apex_;
+      } else {
+        if (orientation(chains_[0], chains_[1], p) >= 0) break;
+        chains_.pop_front();
+        path_.push_back(chains_[0]);
+      }
+    }
+    chains_.push_front(p);
+    ++apex_;
+  }
+
+  /// The path to the right end.
+  std::vector<Point> finish() {
+    for (std::size_t i = apex_ + 1; i < chains_.size(); ++i) path_.push_back(chains_[i]);
+    return std::move(path_);
+  }
+
+ private:
+  std::vector<Point> path_;   // to the apex
+  std::deque<Point> chains_;  // from the end of the left chain by the apex to the right end
+  std::size_t apex_ = 0;      // in the chains
+};
+
 /// The shortest path through portals in turn, each given by its right end and its left end as seen
 /// by who crosses it: a funnel of two chains that part at an apex. Its points, which repeat where
 /// portals share an end. Exact: bends are decided by exact orientations. Linear in the portals.
@@ -21,47 +70,13 @@ namespace tutavia::detail {
 /// barriers".
 inline std::vector<Point> pull_through(const std::vector<std::pair<Point, Point>>& portals,
                                        const Point& start, const Point& goal) {
-  std::vector<Point> path{start};
-  std::deque<Point> funnel{start};  // from the end of the left chain by the apex to the right end
-  std::size_t apex = 0;
-  // A new end takes off what its chain would have to bend outwards for.
-  const auto add_right = [&](const Point& p) {
-    while (funnel.size() > 1) {
-      const std::size_t last = funnel.size() - 1;
-      if (last > apex) {  // on the right chain: it stays convex
-        if (orientation(funnel[last - 1], funnel[last], p) < 0) break;
-        funnel.pop_back();
-      } else {  // the apex is the right end: it moves along the left chain
-        if (orientation(funnel[apex], funnel[apex - 1], p) <= 0) break;
-        funnel.pop_back();
-        --apex;
-        path.push_back(funnel[apex]);
-      }
-    }
-    funnel.push_back(p);
-  };
-  const auto add_left = [&](const Point& p) {
-    while (funnel.size() > 1) {
-      if (apex > 0) {
-        if (orientation(funnel[1], funnel[0], p) > 0) break;
-        funnel.pop_front();
-        --apex;
-      } else {
-        if (orientation(funnel[0], funnel[1], p) >= 0) break;
-        funnel.pop_front();
-        path.push_back(funnel[0]);
-      }
-    }
-    funnel.push_front(p);
-    ++apex;
-  };
+  Funnel funnel(start);
   for (const auto& [right, left] : portals) {
-    add_right(right);
-    add_left(left);
+    funnel.add_right(right);
+    funnel.add_left(left);
   }
-  add_right(goal);
-  for (std::size_t i = apex + 1; i < funnel.size(); ++i) path.push_back(funnel[i]);
-  return path;
+  funnel.add_right(goal);
+  return funnel.finish();
 }
 
 }  // namespace tutavia::detail

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/io/text/parse_error.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/world/scene.hpp"
 
@@ -22,19 +23,19 @@ struct SceneFile {
   std::vector<std::string> warnings;  ///< one line each
 };
 
-/// Reads fields of JSON values. What is wrong is thrown as a string that says where; `parse_json`
-/// turns that into a failure.
+/// Reads fields of JSON values. Each function throws a ParseError that names the field;
+/// `parse_json` turns it into a failure.
 namespace json_fields {
 
 using Json = nlohmann::json;
 
 inline void require(bool condition, const std::string& name, const std::string& expected) {
-  if (!condition) throw name + ": expected " + expected;
+  if (!condition) throw ParseError{name + ": expected " + expected};
 }
 
 /// The name is no reference, so that g++ does not take the result for one to a temporary.
 inline const Json& field(const Json& json, const char* name) {
-  if (!json.contains(name)) throw "\"" + std::string(name) + "\" is missing";
+  if (!json.contains(name)) throw ParseError{"\"" + std::string(name) + "\" is missing"};
   return json[name];
 }
 
@@ -99,8 +100,8 @@ Expected<SceneFile, Failure> parse_json(std::string_view text, Read read) {
     const std::size_t prefix = what.find("] ");
     return fail(PlanError::invalid_input,
                 prefix == std::string::npos ? what : what.substr(prefix + 2));
-  } catch (const std::string& complaint) {
-    return fail(PlanError::invalid_input, complaint);
+  } catch (const ParseError& error) {
+    return fail(error.code, error.what);
   }
 }
 

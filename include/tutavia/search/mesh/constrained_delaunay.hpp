@@ -95,7 +95,10 @@ class ConstrainedDelaunay {
 inline ConstrainedDelaunay::Index ConstrainedDelaunay::locate(Cell p) const {
   Index e = leaving_.back();  // of the point before
   for (int sides = 0; sides < 3;) {
-    if (tutavia::turn(from(e), to(e), p) < 0) e = twin_[e], sides = 0;
+    if (tutavia::turn(from(e), to(e), p) < 0) {
+      e = twin_[e];
+      sides = 0;
+    }
     e = next(e);
     ++sides;
   }

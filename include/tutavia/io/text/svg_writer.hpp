@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "tutavia/geometry/point.hpp"
+
+/// \file
+/// SvgWriter: elements of an SVG document.
+
+namespace tutavia::detail {
+
+/// Writes an SVG document element by element; all places and lengths are in pixels. A `style` is
+/// attributes as SVG spells them, such as fill="none".
+class SvgWriter {
+ public:
+  /// A white picture.
+  SvgWriter(double width, double height)
+      : svg_("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" +
+             number(height) + "\" viewBox=\"0 0 " + number(width) + " " + number(height) +
+             "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"14\">\n"
+             "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n") {}
+
+  static std::string number(double x) {
+    std::array<char, 64> buffer;
+    std::snprintf(buffer.data(), buffer.size(), "%.2f", x);
+    return buffer.data();
+  }
+  /// A point of path data.
+  static std::string pair(const Point& p) { return number(p.x()) + " " + number(p.y()); }
+
+  void circle(const Point& center, double radius, std::string_view style) {
+    svg_.append("<circle cx=\"").append(number(center.x())).append("\" cy=\"");
+    svg_.append(number(center.y())).append("\" r=\"").append(number(radius)).append("\" ");
+    svg_.append(style).append("/>\n");
+  }
+
+  void path(std::string_view data, std::string_view style) {
+    svg_.append("<path d=\"").append(data).append("\" ").append(style).append("/>\n");
+  }
+  /// A path that is not filled.
+  void stroke(std::string_view data, std::string_view style) {
+    svg_.append("<path d=\"").append(data).append("\" fill=\"none\" stroke-linejoin=\"round\" ");
+    svg_.append(style).append("/>\n");
+  }
+
+  void text(const Point& left, std::string_view content, std::string_view style) {
+    svg_.append("<text x=\"").append(number(left.x())).append("\" y=\"");
+    svg_.append(number(left.y())).append("\" fill=\"#222b33\" ").append(style).append(">");
+    for (const char c : content) {
+      if (c == '<') {
+        svg_ += "&lt;";
+      } else if (c == '&') {
+        svg_ += "&amp;";
+      } else {
+        svg_ += c;
+      }
+    }
+    svg_ += "</text>\n";
+  }
+
+  /// Adds markup as it is.
+  void raw(std::string_view markup) { svg_.append(markup); }
+
+  std::string finish() const { return svg_ + "</svg>\n"; }
+
+ private:
+  std::string svg_;
+};
+
+}  // namespace tutavia::detail

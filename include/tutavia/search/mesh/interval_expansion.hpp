@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "tutavia/geometry/predicates.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/statistics.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/mesh/convex_pieces.hpp"
+#include "tutavia/search/mesh/interval_geometry.hpp"
+#include "tutavia/search/mesh/interval_scratch.hpp"
+#include "tutavia/space/cell_space.hpp"
+
+/// \file
+/// IntervalExpansion: the successors of a node of an any-angle search.
+
+namespace tutavia::detail {
+
+/// The nodes of one query over a decomposition of the free cells into convex pieces.
+///
+/// A node is a part of a side that is in view of a root, the last bend of the path. Its successors
+/// are parts of the other sides of the piece beyond: observable ones between the two rays that
+/// bound the root's view, non-observable ones behind the rays, with a new root at an end of the
+/// side, and collinear ones where the root lies on the line of the side.
+template <ConvexPieces Pieces, Observer O>
+class IntervalExpansion {
+ public:
+  using Node = IntervalNode;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  IntervalExpansion(const CellSpace& space, const Pieces& pieces, const Query& query,
+                    IntervalScratch& scratch, O& observer, Statistics& stats)
+      : space_(space),
+        pieces_(pieces),
+        query_(query),
+        scratch_(scratch),
+        observer_(observer),
+        stats_(stats),
+        geometry_(space, query) {}
+
+  /// Begins a query: adds the successors of the start, all sides of the pieces that hold it.
+  void start() {
+    scratch_.begin(geometry_.corners(), dead_end_limit());
+    for_each_piece_at(query_.goal, [&](Piece piece) {
+      goal_pieces_.push_back(pieces_.open(piece));
+      mark_passage(piece);
+    });
+    for_each_piece_at(query_.start, [&](Piece piece) { mark_passage(piece); });
+    for_each_piece_at(query_.start, [&](Piece piece) {
+      const Opened opened = pieces_.open(piece);
+      if (holds_goal(opened)) {
+        offer_goal(geometry_.length(geometry_.start(), geometry_.goal()), at_start);
+      }
+      pieces_.for_each_exit(opened, [&](Cell right, Cell left, Piece beyond) {
+        // Sides through the start lead to pieces that hold it as well.
+        if (geometry_.on_side(query_.start, right, left)) return;
+        add_successor(at_start, 0, right, left, right, left, beyond);
+      });
+    });
+  }
+
+  /// Whether a shorter path to the root was found since.
+  bool is_stale(const Node& node) const {
+    return node.root != at_start &&
+           scratch_.root(geometry_.id(node.root)).g * (1 + tolerance) < node.g;
+  }
+
+  /// Adds a node's successors to those of the scratch.
+  void expand(const Node& node) {
+    ++stats_.expanded;
+    if constexpr (!std::same_as<O, NoObserver>) {
+      observer_.expanded(geometry_.middle(node.right, node.left));
+    }
+    const Opened opened = pieces_.open(node.piece);
+    if (geometry_.side_of(node.root, node.right, node.left) == 0) {
+      expand_collinear(node, opened);
+    } else {
+      expand_observable(node, opened);
+    }
+  }
+
+  /// Length of the shortest path to the goal so far, infinite where there is none [cells].
+  double best() const { return best_; }
+  /// The last bend of that path.
+  Cell best_root() const { return best_root_; }
+  const IntervalGeometry& geometry() const { return geometry_; }
+
+ private:
+  using Piece = std::uint32_t;
+  using Opened = decltype(std::declval<const Pieces&>().open(Piece{}));
+  using Turn = IntervalGeometry::Turn;
+  static constexpr Cell at_start = IntervalGeometry::at_start;
+  static constexpr double tolerance = 1e-13;  // lengths as equal as rounding lets them be
+
+  std::size_t dead_end_limit() const {
+    if constexpr (PiecesWithDeadEnds<Pieces>) {
+      return pieces_.dead_end_limit();
+    } else {
+      return 0;
+    }
+  }
+
+  /// Marks the dead ends from a piece to where they fork.
+  void mark_passage([[maybe_unused]] Piece piece) {
+    if constexpr (PiecesWithDeadEnds<Pieces>) {
+      while (pieces_.is_dead_end(piece) && !scratch_.is_passage(piece)) {
+        scratch_.set_passage(piece);
+        piece = pieces_.way_out(piece);
+      }
+    }
+  }
+
+  /// Whether a piece is a dead end that no path of this query enters.
+  bool leads_nowhere([[maybe_unused]] Piece piece) const {
+    if constexpr (PiecesWithDeadEnds<Pieces>) {
+      return pieces_.is_dead_end(piece) && !scratch_.is_passage(piece);
+    } else {
+      return false;
+    }
+  }
+
+  /// The root lies on the line of the side: from the side's end that is nearest to it all of the
+  /// piece is in view, or from itself where it lies on the side.
+  void expand_collinear(const Node& node, const Opened& opened) {
+    Cell root = node.root;
+    double g = node.g;
+    if (!geometry_.on_side(geometry_.point(root), node.right, node.left)) {
+      const double to_right = distance_to(root, node.right), to_left = distance_to(root, node.left);
+      const bool right = to_right < to_left;
+      const Cell end = right ? node.right : node.left;
+      if (!geometry_.can_bend(root, end, right ? Turn::right : Turn::left)) return;
+      g += right ? to_right : to_left;
+      if (!reach_root(end, g, root)) return;
+      root = end;
+    }
+    if (holds_goal(opened)) offer_goal(g + distance_to_goal(root), root);
+    for_each_other_exit(node, opened, [&](Cell right, Cell left, Piece beyond) {
+      add_successor(root, g, right, left, right, left, beyond);
+    });
+  }
+
+  /// The ends of a side at which a path may bend, and the length of the path to them; infinite
+  /// where it may not.
+  struct Bends {
+    bool right, left;
+    double by_right, by_left;
+  };
+  Bends bends_of(const Node& node) const {
+    const bool right =
+        node.right == node.right_ray && geometry_.can_bend(node.root, node.right, Turn::right);
+    const bool left =
+        node.left == node.left_ray && geometry_.can_bend(node.root, node.left, Turn::left);
+    return {right, left, right ? node.g + distance_to(node.root, node.right) : infinity,
+            left ? node.g + distance_to(node.root, node.left) : infinity};
+  }
+
+  /// The root sees the piece between two rays; what lies behind them is in view from an end of the
+  /// side, where a path may bend there.
+  void expand_observable(const Node& node, const Opened& opened) {
+    const Bends bends = bends_of(node);
+    if (holds_goal(opened)) offer_goal_beyond(node, bends);
+    for_each_other_exit(node, opened, [&](Cell right, Cell left, Piece beyond) {
+      expand_exit(node, bends, right, left, beyond);
+    });
+  }
+
+  void offer_goal_beyond(const Node& node, const Bends& bends) {
+    const Point root = geometry_.point(node.root);
+    if (orientation(root, space_.corner(node.right_ray), query_.goal) < 0) {
+      if (bends.right && reach_root(node.right, bends.by_right, node.root)) {
+        offer_goal(bends.by_right + distance_to_goal(node.right), node.right);
+      }
+    } else if (orientation(root, space_.corner(node.left_ray), query_.goal) > 0) {
+      if (bends.left && reach_root(node.left, bends.by_left, node.root)) {
+        offer_goal(bends.by_left + distance_to_goal(node.left), node.left);
+      }
+    } else {
+      offer_goal(node.g + distance_to_goal(node.root), node.root);
+    }
+  }
+
+  /// Adds the successors on one side: an observable one and, to the right and left of it,
+  /// non-observable ones.
+  void expand_exit(const Node& node, const Bends& bends, Cell right, Cell left, Piece beyond) {
+    const int right_of_right = geometry_.side_of(node.root, node.right_ray, right);
+    const int left_of_right = geometry_.side_of(node.root, node.right_ray, left);
+    const int right_of_left = geometry_.side_of(node.root, node.left_ray, right);
+    const int left_of_left = geometry_.side_of(node.root, node.left_ray, left);
+    const bool on_ray =
+        (right_of_right == 0 && left_of_right == 0) || (right_of_left == 0 && left_of_left == 0);
+    if (on_ray) {  // a path bends at its end
+      add_successor(node.root, node.g, right, left, right, left, beyond);
+    }
+    if ((right_of_right < 0 || left_of_right < 0) && bends.right &&
+        reach_root(node.right, bends.by_right, node.root)) {
+      add_successor(node.right, bends.by_right, right, left, right,
+                    left_of_right > 0 ? geometry_.behind_on_ray(node.root, node.right, left) : left,
+                    beyond);
+    }
+    if (left_of_right > 0 && right_of_left < 0) {
+      add_successor(node.root, node.g, right, left, right_of_right >= 0 ? right : node.right_ray,
+                    left_of_left <= 0 ? left : node.left_ray, beyond);
+    }
+    if ((left_of_left > 0 || right_of_left > 0) && bends.left &&
+        reach_root(node.left, bends.by_left, node.root)) {
+      add_successor(
+          node.left, bends.by_left, right, left,
+          right_of_left < 0 ? geometry_.behind_on_ray(node.root, node.left, right) : right, left,
+          beyond);
+    }
+  }
+
+  /// Calls `visit(right, left, beyond)` for every exit of a piece but the one it was entered by.
+  template <class Visit>
+  void for_each_other_exit(const Node& node, const Opened& opened, const Visit& visit) const {
+    pieces_.for_each_exit(opened, [&](Cell right, Cell left, Piece beyond) {
+      if (right == node.left && left == node.right) return;
+      visit(right, left, beyond);
+    });
+  }
+
+  /// Notes a path to a corner; false where another one is known that is as short. Of equal paths
+  /// the first will do: what lies behind the corner for another, the first one's parent has in
+  /// view, or the path is not taut. Without this, rows of aligned corners give each path 2^n times.
+  bool reach_root(Cell corner, double g, Cell from) {
+    const std::uint32_t root = geometry_.id(corner), parent = geometry_.id(from);
+    if (const IntervalRoot* known = scratch_.find_root(root)) {
+      if (g >= known->g * (1 - tolerance)) {
+        return known->parent == parent && g <= known->g * (1 + tolerance);
+      }
+    }
+    scratch_.set_root(root, g, parent);
+    return true;
+  }
+
+  void add_successor(Cell root, double g, Cell right, Cell left, Cell right_ray, Cell left_ray,
+                     Piece piece) {
+    if (leads_nowhere(piece)) return;
+    Node node{0, g, root, piece, right, left, right_ray, left_ray};
+    node.f = g + geometry_.estimate(node);
+    if (node.f >= best_) return;
+    ++stats_.generated;
+    if constexpr (!std::same_as<O, NoObserver>) observer_.generated(geometry_.middle(right, left));
+    scratch_.successors.push_back(node);
+  }
+
+  void offer_goal(double total, Cell root) {
+    if (total >= best_) return;
+    best_ = total;
+    best_root_ = root;
+  }
+
+  double distance_to(Cell root, Cell corner) const {
+    return geometry_.length(geometry_.position(root), geometry_.position(corner));
+  }
+  double distance_to_goal(Cell root) const {
+    return geometry_.length(geometry_.position(root), geometry_.goal());
+  }
+
+  /// Calls `visit(piece)` once for every piece that holds a point, on its border too.
+  template <class Visit>
+  void for_each_piece_at(const Point& p, const Visit& visit) const {
+    const IntervalGeometry::CellPoint at = geometry_.in_cells(p);
+    const Cell near{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
+    pieces_.for_each_near(near, [&](Piece piece) {
+      if (pieces_.holds(piece, p, [&](Cell corner) { return space_.corner(corner); })) visit(piece);
+    });
+  }
+  bool holds_goal(const Opened& opened) const {
+    return std::find(goal_pieces_.begin(), goal_pieces_.end(), opened) != goal_pieces_.end();
+  }
+
+  const CellSpace& space_;
+  const Pieces& pieces_;
+  const Query& query_;
+  IntervalScratch& scratch_;
+  O& observer_;
+  Statistics& stats_;
+  IntervalGeometry geometry_;
+  std::vector<Opened> goal_pieces_;
+  double best_ = infinity;
+  Cell best_root_ = at_start;
+};
+
+}  // namespace tutavia::detail

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tutavia/grid/cell.hpp"
+#include "tutavia/grid/movement.hpp"
+#include "tutavia/search/grid/stamped_labels.hpp"
+#include "tutavia/search/grid/wide_bucket_queue.hpp"
+
+/// \file
+/// IntervalScratch: memory of an any-angle search.
+
+namespace tutavia::detail {
+
+/// A side through which a piece is to be entered, and the part of it that a root sees.
+struct IntervalNode {
+  double f = 0;                  ///< least length of a path by it [cells]
+  double g = 0;                  ///< length of the path to the root [cells]
+  Cell root{};                   ///< the corner where the path bends last
+  std::uint32_t piece = 0;       ///< the piece to be entered
+  Cell right{}, left{};          ///< the side's ends, as seen from the piece left behind
+  Cell right_ray{}, left_ray{};  ///< points on the rays from the root that bound its view of it
+};
+
+/// What is known of a corner at which paths bend.
+struct IntervalRoot {
+  double g;
+  std::uint32_t parent;
+  std::uint32_t query;
+};
+
+/// The open list, the roots reached, and the dead ends that a query may enter.
+class IntervalScratch {
+ public:
+  using Node = IntervalNode;
+
+  void begin(std::size_t corners, std::size_t pieces) {
+    roots_.begin(corners);
+    passages_.begin(pieces);
+    open_.begin(0);
+    nodes_.clear();
+    successors.clear();
+  }
+
+  /// The root at a corner, or nullptr where no path bends yet.
+  const IntervalRoot* find_root(std::uint32_t corner) const { return roots_.find(corner); }
+  /// \pre the corner was reached
+  const IntervalRoot& root(std::uint32_t corner) const { return roots_[corner]; }
+  void set_root(std::uint32_t corner, double g, std::uint32_t parent) {
+    roots_.set(corner, {g, parent, 0});
+  }
+
+  /// Dead ends that the start or the goal lies in, or that lead there.
+  bool is_passage(std::size_t piece) const { return passages_.find(piece) != nullptr; }
+  void set_passage(std::size_t piece) { passages_.set(piece, {}); }
+
+  bool empty() const { return open_.empty(); }
+  /// Moves on to the nodes with the least f; a lower bound of it. \pre not empty
+  double advance() {
+    least_ = open_.advance();
+    return static_cast<double>(least_) / scale;
+  }
+  void push(const Node& node) {
+    open_.push(key(node), static_cast<std::uint32_t>(nodes_.size()), 0);
+    nodes_.push_back(node);
+  }
+  /// Whether a node, if it were pushed, would be popped at once.
+  bool is_next(const Node& node) const { return key(node) < least_ + JumpQueue::width; }
+  /// A node with about the least f. \pre `advance` was called after the last push
+  const Node& pop() { return nodes_[open_.pop().node]; }
+
+  std::vector<Node> successors;
+
+ private:
+  struct Passage {
+    std::uint32_t query;
+  };
+  static constexpr auto scale = static_cast<double>(straight_cost);
+  static Cost key(const Node& node) { return static_cast<Cost>(node.f * scale); }
+
+  QueryLabels<IntervalRoot> roots_;
+  QueryLabels<Passage> passages_;
+  JumpQueue open_;
+  Cost least_ = 0;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace tutavia::detail

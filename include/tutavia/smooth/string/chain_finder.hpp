@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tutavia/certify/piece_proof.hpp"
+#include "tutavia/core/budget.hpp"
+#include "tutavia/geometry/predicates.hpp"
+#include "tutavia/geometry/tangent/oriented_box.hpp"
+#include "tutavia/geometry/tangent/tangent_line.hpp"
+#include "tutavia/smooth/string/string_bends.hpp"
+#include "tutavia/space/index/passing_radius.hpp"
+
+/// \file
+/// ChainFinder: what a string runs around when the bends between two others are taken out.
+
+namespace tutavia::detail {
+
+enum class PlaceInRing { inside, on, outside };
+
+/// Where a point lies of a closed polyline, by the even-odd rule.
+inline PlaceInRing place_in(const std::vector<Point>& ring, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
+    const bool crosses = (a.y() > p.y()) != (b.y() > p.y());
+    if (!crosses && !(a.y() == p.y() && b.y() == p.y())) continue;
+    const int turn = orientation(a, b, p);
+    if (turn == 0 && Box::around({a, b}).contains(p)) return PlaceInRing::on;
+    if (crosses && (turn > 0) == (b.y() > a.y())) inside = !inside;
+  }
+  return inside ? PlaceInRing::inside : PlaceInRing::outside;
+}
+
+/// Finds and proves the chain of circles between two bends A and C, from which the string came with
+/// turns to one `side`. In order: `find_obstacles`, then `wrap` until nothing blocks the chain.
+template <FeatureSpace S>
+class ChainFinder {
+ public:
+  ChainFinder(const S& space, const StringBends& string, const Budget& budget)
+      : space_(space),
+        string_(string),
+        budget_(budget),
+        slack_(space.slack()),
+        radius_(passing_radius(space, 0)) {}
+
+  const Chain& chain() const { return chain_; }
+  std::size_t obstacle_count() const { return obstacles_.size(); }
+
+  /// Finds the circles that the string crosses on its way to the straight line between two bends.
+  void find_obstacles(std::size_t a, std::size_t c, int side) {
+    swept_.clear();
+    for (std::size_t i = a; i != c; i = string_[i].next) {
+      swept_.push_back(string_[i].out.from);
+      swept_.push_back(string_[i].out.to);
+    }
+    if (const auto straight = bitangent(string_[a].circle, string_[c].circle)) {
+      swept_.insert(swept_.end(), {straight->to, straight->from});
+    }
+    obstacles_.clear();
+    near_.clear();
+    const Band band(swept_, string_.way_to(c).to);
+    band.for_each_box(radius_, [&](const Box& box) {
+      for_each_circle(box, side, [&](const SidedCircle& circle) {
+        if (band.is_far(circle.center, circle.radius)) return;
+        const bool is_inside = place_in(swept_, circle.center) == PlaceInRing::inside;
+        (is_inside ? obstacles_ : near_).push_back(circle);
+      });
+    });
+    filter_obstacles(a, c);
+  }
+
+  /// Makes obstacles of the circles beside that come into the chain's ways; whether there are any.
+  bool add_blocking(std::size_t a, std::size_t c) {
+    const std::size_t known = obstacles_.size();
+    for (const SidedCircle& circle : near_) {
+      for (const Bitangent& way : chain_.ways) {
+        if (circle.radius > 0 && blocks(circle, Segment{way.from, way.to})) {
+          obstacles_.push_back(circle);
+          break;
+        }
+      }
+    }
+    if (obstacles_.size() > known) filter_obstacles(a, c);
+    return obstacles_.size() > known;
+  }
+
+  /// Makes a chain from A to C around the obstacles: first to what lies farthest to the outer side
+  /// of the straight way, then always on to what asks for the smallest turn, and to the nearest of
+  /// these. A circle that is large may come in more than once.
+  bool wrap(std::size_t a, std::size_t c, int side) {
+    chain_.circles.clear();
+    chain_.ways.clear();
+    SidedCircle from = string_[a].circle;
+    const auto straight = bitangent(from, string_[c].circle);
+    Point direction = straight ? straight->direction : string_[a].out.direction;
+    std::size_t at = obstacles_.size();
+    while (chain_.ways.size() <= 2 * obstacles_.size() + 1) {
+      if (chain_.ways.size() % 16 == 15 && budget_.exceeded()) return false;
+      double least = std::numeric_limits<double>::infinity();
+      std::optional<Bitangent> best;
+      std::size_t chosen = obstacles_.size();
+      for (std::size_t i = 0; i <= obstacles_.size(); ++i) {
+        if (i == at && i < obstacles_.size()) continue;
+        const auto way = bitangent(from, i < obstacles_.size() ? obstacles_[i] : string_[c].circle);
+        if (!way) continue;
+        double turn = side * deflection(direction, way->direction);
+        const bool is_first = straight && chain_.ways.empty();
+        if (!is_first && turn < -1e-6) turn += 2 * std::numbers::pi;
+        if (turn < least - 1e-12 || (turn < least + 1e-12 && way->length < best->length)) {
+          least = turn;
+          best = way;
+          chosen = i;
+        }
+      }
+      if (!best || least > std::numbers::pi) return false;
+      chain_.ways.push_back(*best);
+      direction = best->direction;
+      if (chosen == obstacles_.size()) return true;
+      at = chosen;
+      from = obstacles_[chosen];
+      chain_.circles.push_back(from);
+    }
+    return false;
+  }
+
+  /// Whether the chain, on its way from A to C, turns by as much as the string does: with a whole
+  /// turn more or less it would wind around something that the string does not.
+  bool turns_as_before(std::size_t a, std::size_t c, int side) const {
+    double before = 0, after = 0;
+    for (std::size_t i = string_[a].next; i != c; i = string_[i].next) {
+      before += string_[i].is_pin
+                    ? deflection(string_.way_to(i).direction, string_[i].out.direction)
+                    : string_[i].turn;
+    }
+    Point direction = string_[a].out.direction;
+    for (const Bitangent& way : chain_.ways) {
+      after += deflection(direction, way.direction);
+      direction = way.direction;
+    }
+    after += deflection(direction, string_.way_to(c).direction);
+    // A way straight back may count as a turn to either side.
+    const double gap = std::abs(before - after);
+    return gap < 1e-6 || (gap > 2 * std::numbers::pi - 1e-6 && side * before > 0 &&
+                          std::abs(std::abs(before) - std::numbers::pi) < 1e-6);
+  }
+
+  /// Whether all new pieces are proved; the circles that block one that is not become obstacles.
+  bool is_proved(std::size_t a, std::size_t c, int side) {
+    bool proved = true;
+    for_each_new_piece(a, c, [&](const auto& piece) {
+      if (is_proved_free(space_, piece)) return;
+      proved = false;
+      for_each_circle(piece.box(), side, [&](const SidedCircle& circle) {
+        if (blocks(circle, piece)) obstacles_.push_back(circle);
+      });
+    });
+    if (!proved) filter_obstacles(a, c);
+    return proved;
+  }
+
+ private:
+  /// Calls `visit(circle)` for the circles around the vertices and discs near a box.
+  template <class Visit>
+  void for_each_circle(const Box& box, int side, Visit visit) const {
+    space_.for_each_feature(box.inflated(radius_), [&](const Segment& core, double radius) {
+      // Every vertex is the first end of an edge.
+      visit(SidedCircle{core.a, passing_radius(space_, radius), side});
+    });
+  }
+
+  /// Drops obstacles that count twice, are bends already or lie within others.
+  void filter_obstacles(std::size_t a, std::size_t c) {
+    const auto before = [](const SidedCircle& p, const SidedCircle& q) {
+      if (p.center.x() != q.center.x()) return p.center.x() < q.center.x();
+      if (p.center.y() != q.center.y()) return p.center.y() < q.center.y();
+      return p.radius < q.radius;
+    };
+    std::sort(obstacles_.begin(), obstacles_.end(), before);
+    obstacles_.erase(std::unique(obstacles_.begin(), obstacles_.end(), same_circle),
+                     obstacles_.end());
+    double largest = 0;
+    for (const SidedCircle& circle : obstacles_) largest = std::max(largest, circle.radius);
+    const auto is_within = [](const SidedCircle& p, const SidedCircle& q) {
+      return p.radius < q.radius && distance(p.center, q.center) <= q.radius - p.radius;
+    };
+    const auto is_idle = [&](const SidedCircle& circle) {
+      for (std::size_t i = a; i != string_[c].next; i = string_[i].next) {
+        if (circle.center == string_[i].circle.center || is_within(circle, string_[i].circle)) {
+          return true;
+        }
+      }
+      return circle.radius < largest &&
+             std::any_of(obstacles_.begin(), obstacles_.end(),
+                         [&](const SidedCircle& other) { return is_within(circle, other); });
+    };
+    kept_.clear();
+    std::copy_if(obstacles_.begin(), obstacles_.end(), std::back_inserter(kept_),
+                 [&](const SidedCircle& circle) { return !is_idle(circle); });
+    std::swap(obstacles_, kept_);
+  }
+
+  /// Calls `visit(piece)` for all that the chain brings in: its ways and arcs, and the arcs around
+  /// A and C as they become where they grow.
+  template <class Visit>
+  void for_each_new_piece(std::size_t a, std::size_t c, Visit visit) const {
+    const auto arcs = [&](const SidedCircle& circle, const Point& in, const Point& out,
+                          double turn) { for_each_arc(circle, in, out, turn, slack_, visit); };
+    for (const Bitangent& way : chain_.ways) visit(Segment{way.from, way.to});
+    for (std::size_t i = 0; i < chain_.circles.size(); ++i) {
+      const Bitangent &in = chain_.ways[i], &out = chain_.ways[i + 1];
+      arcs(chain_.circles[i], in.to, out.from, chain_.turn(i));
+    }
+    const auto grown = [&](std::size_t i, const Point& in, const Point& out, double turn) {
+      if (std::abs(turn) > std::abs(string_[i].turn)) arcs(string_[i].circle, in, out, turn);
+    };
+    if (!string_[a].is_pin)
+      grown(a, string_.way_to(a).to, chain_.ways.front().from, string_.turn_after(a, chain_));
+    if (!string_[c].is_pin)
+      grown(c, chain_.ways.back().to, string_[c].out.from, string_.turn_before(c, chain_));
+  }
+
+  /// Whether a circle comes into a piece. Circles that are points do not; what blocks the string
+  /// then may be one that it touched all the time.
+  bool blocks(const SidedCircle& circle, const Segment& way) const {
+    if (circle.radius == 0) return place_in(swept_, circle.center) == PlaceInRing::on;
+    const Point along{way.b.x() - way.a.x(), way.b.y() - way.a.y()};
+    const Point across{circle.center.x() - way.a.x(), circle.center.y() - way.a.y()};
+    return circle.side * cross(along, across) >= 0 &&
+           distance(circle.center, way) < circle.radius - slack_;
+  }
+  bool blocks(const SidedCircle& circle, const Arc& arc) const {
+    return approach(arc, Segment{circle.center, circle.center}).distance < circle.radius - slack_;
+  }
+
+  const S& space_;
+  const StringBends& string_;
+  const Budget& budget_;
+  double slack_;
+  double radius_;                       // of the circles around vertices
+  std::vector<Point> swept_;            // the border of what the string crosses, closed
+  std::vector<SidedCircle> obstacles_;  // circles within it
+  std::vector<SidedCircle> near_;       // circles beside it
+  std::vector<SidedCircle> kept_;
+  Chain chain_;
+};
+
+}  // namespace tutavia::detail
