@@ -13,6 +13,7 @@
 #include "map_benchmark.hpp"
 #include "tutavia/search/any_angle.hpp"
 #include "tutavia/search/jps_theta_star.hpp"
+#include "tutavia/search/lazy_theta_star.hpp"
 #include "tutavia/search/theta_star.hpp"
 
 namespace {

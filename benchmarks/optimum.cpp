@@ -104,7 +104,7 @@ bool run_world(const Scene& scene, std::size_t rounds, Row& row) {
   const double length = optimum->curve.length();
   const bool is_proved = certify(space, optimum->curve).status == ProofStatus::proved;
   if (!is_proved || !again || std::abs(again->cost - length) > 1e-9 * length) ++row.wrong;
-  ThetaScratch theta;
+  ThetaStar::Scratch theta;
   const Curve at_angles = value_or_throw(ThetaStar{}.search(space, query, theta, nobody)).curve;
   const Curve taut = value_or_throw(TautString{}.smooth(space, route->curve, {}));
   const Curve curves[] = {route->curve,

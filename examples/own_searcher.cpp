@@ -14,7 +14,9 @@ struct ViaPoint {
   tutavia::Expected<tutavia::Route, tutavia::Failure> search(const S& space,
                                                              const tutavia::Query& query, Scratch&,
                                                              O& observer) const {
-    if (auto failure = tutavia::check_query(space, query)) return tutavia::Unexpected{*failure};
+    if (auto valid = tutavia::check_query(space, query); !valid) {
+      return tutavia::Unexpected{valid.error()};
+    }
     tutavia::Random random(query.seed);
     const tutavia::Box& box = space.bounds();
     for (int i = 0; i < tries; ++i) {

@@ -19,6 +19,7 @@
 #include "tutavia/search/jps.hpp"
 #include "tutavia/search/jps_plus.hpp"
 #include "tutavia/search/jps_theta_star.hpp"
+#include "tutavia/search/lazy_theta_star.hpp"
 #include "tutavia/search/penalty_astar.hpp"
 #include "tutavia/search/rea_star.hpp"
 #include "tutavia/search/rrt.hpp"

@@ -38,6 +38,15 @@ TEST_CASE("an Expected made from an Unexpected holds the error", "[core]") {
   CHECK(std::as_const(parsed).error() == "no digits at 3");
 }
 
+TEST_CASE("an error is passed on to an Expected of another value", "[core]") {
+  const auto text = [](Parsed parsed) -> Expected<std::string, std::string> {
+    if (!parsed) return std::move(parsed).unexpected();
+    return std::to_string(*parsed);
+  };
+  CHECK(text(7).value() == "7");
+  CHECK(text(Unexpected{"no digits"}).error() == "no digits");
+}
+
 TEST_CASE("value() throws where there is no value, however it is called", "[core]") {
   Parsed parsed = Unexpected{std::string("empty")};
   CHECK_THROWS_AS(parsed.value(), BadExpectedAccess);

@@ -15,6 +15,7 @@
 #include "support/searcher_contract.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/search/astar.hpp"
+#include "tutavia/search/lazy_theta_star.hpp"
 #include "tutavia/search/theta_star.hpp"
 
 namespace {
@@ -167,7 +168,7 @@ TEST_CASE("no search on cells finds a shorter path than AnyAngle on the MovingAI
     const test::CornerRules rules(space.grid());
     const AnyAngle prepared{.mesh = AnyAngle::prepare(space).value()};
     AnyAngle::Scratch scratch;
-    ThetaScratch theta;
+    ThetaStar::Scratch theta;
     for (const ScenarioRow& row : map.rows) {
       INFO(map.name << " line " << row.line);
       const Query query = map.query(row);

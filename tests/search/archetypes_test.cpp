@@ -15,7 +15,10 @@
 #include "tutavia/optimum.hpp"
 #include "tutavia/search/flow_field.hpp"
 #include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/search_context.hpp"
+#include "tutavia/search/grid/search_grid.hpp"
 #include "tutavia/search/risk_zone.hpp"
+#include "tutavia/search/search_record.hpp"
 #include "tutavia/space/clearance_costs.hpp"
 #include "tutavia/space/grid_builder.hpp"
 #include "tutavia/tuning/ssa_tuning.hpp"
@@ -155,6 +158,43 @@ struct PricesArchetype {
 static_assert(detail::StepPrices<PricesArchetype> && detail::StepPrices<CellCosts> &&
               detail::StepPrices<detail::PlainPrices>);
 static_assert(!detail::StepPrices<int>);
+
+/// Models GridSearch: steps from the first start to the first goal, or fails.
+struct GridSearchArchetype {
+  std::vector<Cell>& cells;
+  std::optional<PlanError> error{};
+
+  template <GridSpace S, Observer O>
+  Expected<detail::GridPath, Failure> run(const detail::LinkedQuery& linked,
+                                          detail::SearchContext<S, O>& context) const {
+    context.count_expanded(linked.start_cell);
+    context.count_generated(context.query.goal);
+    if (error) return fail(*error);
+    cells.assign({linked.goals.begin()->cell, linked.starts.begin()->cell});
+    return detail::GridPath{cells, 42.0};
+  }
+};
+static_assert(detail::GridSearch<GridSearchArchetype, GridArchetype, NoObserver>);
+static_assert(!detail::GridSearch<int, GridArchetype, NoObserver>);
+
+TEST_CASE("a search on a grid is run between the links of start and goal, and counted") {
+  const GridArchetype space;
+  std::vector<Cell> cells;
+  SearchRecord record;
+  const auto route = detail::search_grid(space, query, record, GridSearchArchetype{cells});
+  check_route(route, space);
+  CHECK(route->cost == 42);
+  CHECK(route->stats.expanded == 1);
+  REQUIRE(record.events.size() == 2);
+  CHECK(record.events[0].a == query.start);
+  CHECK(record.events[1].a == query.goal);
+
+  const GridSearchArchetype failing{cells, PlanError::unreachable};
+  const auto none = detail::search_grid(space, query, record, failing);
+  REQUIRE_FALSE(none);
+  CHECK(none.error().code == PlanError::unreachable_at_resolution);
+  CHECK(none.error().stats.generated == 1);
+}
 
 TEST_CASE("a grid is searched by prices of any kind") {
   const GridArchetype space;

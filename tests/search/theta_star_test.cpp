@@ -11,6 +11,7 @@
 #include "support/searcher_contract.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/search/astar.hpp"
+#include "tutavia/search/lazy_theta_star.hpp"
 #include "tutavia/space/cell_space.hpp"
 
 namespace {
@@ -73,7 +74,7 @@ TEST_CASE("on an empty grid the path is one segment") {
   for (int y = 0; y < 30; ++y) grid.set_run(y, 0, 79, true);
   const auto space = CellSpace::build(grid).value();
   NoObserver nobody;
-  ThetaScratch scratch;
+  ThetaStar::Scratch scratch;
   for (const Cell goal : {Cell{79, 29}, Cell{1, 28}, Cell{79, 0}, Cell{0, 1}, Cell{0, 0}}) {
     const Query query{.start = space.frame().point(Cell{0, 0}), .goal = space.frame().point(goal)};
     CHECK(ThetaStar{}.search(space, query, scratch, nobody).value().curve.pieces().size() == 1);

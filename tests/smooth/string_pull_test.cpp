@@ -57,7 +57,7 @@ TEST_CASE("strings pulled from shortest paths are shortest, from others taut and
   Random random(seed);
   NoObserver nobody;
   AStar::Scratch astar;
-  ThetaScratch theta;
+  ThetaStar::Scratch theta;
   AnyAngle::Scratch any_angle;
   std::size_t found = 0, shorter = 0;
   for (std::size_t round = 0; round < test::scaled(300); ++round) {

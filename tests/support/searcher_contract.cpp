@@ -174,9 +174,9 @@ class SearcherTrial {
     text << failure;
     breaches_.at(breaches_.place() + ": " + text.str());
     if (promise_.ties == Ties::not_proved && failure.code == PlanError::not_proved) return;
-    const std::optional<Failure> ends = check_query(world.space, query);
-    breaches_.check(ends
-                        ? failure.code == ends->code
+    const auto ends = check_query(world.space, query);
+    breaches_.check(!ends
+                        ? failure.code == ends.error().code
                         : is_no_path(failure.code) || is_off_grid(world.space, query, failure.code),
                     "a query without a route fails for a reason that holds");
   }

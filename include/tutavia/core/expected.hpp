@@ -80,6 +80,8 @@ class Expected {
     return error_;
   }
   const E& error() const { return const_cast<Expected*>(this)->error(); }
+  /// The error, to be passed on: `if (!found) return std::move(found).unexpected();`. \pre no value
+  Unexpected<E> unexpected() && { return {std::move(error())}; }
 
  private:
   T& checked() {

@@ -20,6 +20,8 @@
 #include "tutavia/plan/query.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/grid/grid_query.hpp"
+#include "tutavia/search/grid/search_context.hpp"
+#include "tutavia/search/grid/search_grid.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -71,15 +73,18 @@ struct AntColony {
                                   O& observer) const;
 
  private:
-  const char* invalid_option() const {
+  Expected<void, Failure> check() const {
     const auto is_weight = [](double x) { return x >= 0 && x <= 100; };
-    if (ants == 0) return "ants must not be 0";
-    if (iterations == 0) return "iterations must not be 0";
-    if (!is_weight(scent_weight)) return "scent_weight must lie in [0, 100]";
-    if (!is_weight(distance_weight)) return "distance_weight must lie in [0, 100]";
-    if (!(evaporation >= 0 && evaporation < 1)) return "evaporation must lie in [0, 1)";
-    if (!(deposit >= 0 && std::isfinite(deposit))) return "deposit must be finite, not negative";
-    return nullptr;
+    const auto invalid = [](const char* detail) { return fail(PlanError::invalid_option, detail); };
+    if (ants == 0) return invalid("ants must not be 0");
+    if (iterations == 0) return invalid("iterations must not be 0");
+    if (!is_weight(scent_weight)) return invalid("scent_weight must lie in [0, 100]");
+    if (!is_weight(distance_weight)) return invalid("distance_weight must lie in [0, 100]");
+    if (!(evaporation >= 0 && evaporation < 1)) return invalid("evaporation must lie in [0, 1)");
+    if (!(deposit >= 0 && std::isfinite(deposit))) {
+      return invalid("deposit must be finite, not negative");
+    }
+    return {};
   }
 };
 
@@ -88,42 +93,42 @@ namespace detail {
 template <GridSpace S, Observer O>
 class Colony {
  public:
-  Colony(const AntColony& options, const S& space, const Query& query, const LinkedQuery& linked,
-         AntScratch& scratch, O& observer, Statistics& stats)
+  Colony(const AntColony& options, SearchContext<S, O>& context, const LinkedQuery& linked,
+         AntScratch& scratch)
       : options_(options),
-        space_(space),
-        query_(query),
+        context_(context),
         linked_(linked),
-        grid_(space.grid().view()),
-        table_(all_successors(space.movement())),
-        scents_(8 * space.grid().index_count()),
+        grid_(context.space.grid().view()),
+        table_(all_successors(context.space.movement())),
+        scents_(8 * context.space.grid().index_count()),
         scratch_(scratch),
-        observer_(observer),
-        stats_(stats),
-        random_(query.seed) {}
+        random_(context.query.seed) {}
 
-  std::optional<Failure> run() {
-    scratch_.visited.assign(space_.grid().index_count(), 0);
+  Expected<void, Failure> run() {
+    scratch_.visited.assign(context_.space.grid().index_count(), 0);
     scratch_.best.clear();
-    for (std::uint32_t round = 0; round < options_.iterations && !end_; ++round) {
-      for (std::uint32_t ant = 0; ant < options_.ants && !end_; ++ant) {
-        ++stats_.generated;
+    for (std::uint32_t round = 0; round < options_.iterations && within_; ++round) {
+      for (std::uint32_t ant = 0; ant < options_.ants && within_; ++ant) {
+        ++context_.statistics.generated;
         const auto cost = walk(ant + 1 + round * options_.ants);
         if (!cost) continue;
-        if (*cost < best_) best_ = *cost, scratch_.best = scratch_.trail;
+        if (*cost < best_) {
+          best_ = *cost;
+          scratch_.best = scratch_.trail;
+        }
         scent(scratch_.trail, *cost);
       }
       if (!scratch_.best.empty()) scent(scratch_.best, best_);
       fade();
     }
-    if (!scratch_.best.empty() && !(end_ && end_->code == PlanError::cancelled)) {
-      return std::nullopt;
-    }
-    if (end_) return end_;
-    return Failure{.code = PlanError::budget_exhausted};
+    const bool is_cancelled = !within_ && within_.error().code == PlanError::cancelled;
+    if (!scratch_.best.empty() && !is_cancelled) return {};
+    if (!within_) return std::move(within_);
+    return fail(PlanError::budget_exhausted);
   }
 
   void path(std::vector<Cell>& cells) const {
+    cells.clear();
     for (auto i = scratch_.best.rbegin(); i != scratch_.best.rend(); ++i) {
       append_cell(cells, grid_.cell(*i));
     }
@@ -139,12 +144,11 @@ class Colony {
     while (!trail.empty()) {
       const Cell cell = grid_.cell(trail.back());
       if (const auto exit = linked_.exit_cost(cell)) return first.cost + length() + *exit;
-      if (is_checked(query_.budget, stats_.expanded)) {
-        end_ = exceeded(query_.budget, stats_.expanded);
-        if (end_) return std::nullopt;
+      if (auto within = context_.check_budget(); !within) {
+        within_ = std::move(within);
+        return std::nullopt;
       }
-      ++stats_.expanded;
-      observer_.expanded(space_.frame().point(cell));
+      context_.count_expanded(cell);
       if (const auto step = choose(trail.back(), cell, ant)) {
         trail.push_back(grid_.index(cell + steps[*step]));
         scratch_.visited[trail.back()] = ant;
@@ -218,20 +222,31 @@ class Colony {
   }
 
   const AntColony& options_;
-  const S& space_;
-  const Query& query_;
+  SearchContext<S, O>& context_;
   const LinkedQuery& linked_;
   OccupancyGrid::View grid_;
   const SuccessorTable& table_;
   ZeroedArray<double> scents_;  // of each step from each cell
   AntScratch& scratch_;
-  O& observer_;
-  Statistics& stats_;
   Random random_;
-  std::optional<Failure> end_;  // why the budget ends the search
-  double first_ = 1;            // the scent of all steps at first
-  double unit_ = 1;             // of a deposit
+  Expected<void, Failure> within_;  // the budget
+  double first_ = 1;                // the scent of all steps at first
+  double unit_ = 1;                 // of a deposit
   Cost best_ = std::numeric_limits<Cost>::max();
+};
+
+/// A Colony for search_grid.
+struct ColonySearch {
+  const AntColony& options;
+  AntScratch& scratch;
+
+  template <GridSpace S, Observer O>
+  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+    Colony<S, O> colony(options, context, linked, scratch);
+    if (auto found = colony.run(); !found) return std::move(found).unexpected();
+    colony.path(scratch.cells);
+    return GridPath{scratch.cells};
+  }
 };
 
 }  // namespace detail
@@ -239,16 +254,8 @@ class Colony {
 template <GridSpace S, Observer O>
 Expected<Route, Failure> AntColony::search(const S& space, const Query& query, Scratch& scratch,
                                            O& observer) const {
-  if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
-  return detail::search_grid(space, query, scratch.cells,
-                             [&](const detail::LinkedQuery& linked, std::vector<Cell>& cells,
-                                 Statistics& stats) -> std::optional<Failure> {
-                               detail::Colony<S, O> colony(*this, space, query, linked, scratch,
-                                                           observer, stats);
-                               if (auto failure = colony.run()) return failure;
-                               colony.path(cells);
-                               return std::nullopt;
-                             });
+  if (auto valid = check(); !valid) return std::move(valid).unexpected();
+  return detail::search_grid(space, query, observer, detail::ColonySearch{*this, scratch});
 }
 
 }  // namespace tutavia

@@ -57,7 +57,7 @@ struct AnyAngle {
     if (space.safety_radius() != 0) {
       return fail(PlanError::invalid_option, "any_angle is defined for safety radius 0");
     }
-    if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
+    if (auto valid = check_query(space, query); !valid) return std::move(valid).unexpected();
     if (mesh == nullptr)
       return search_in(detail::RowRuns(space.cells()), space, query, scratch, observer);
     if (mesh->width() != space.cells().width() || mesh->height() != space.cells().height()) {
@@ -72,15 +72,16 @@ struct AnyAngle {
                                             const Query& query, Scratch& scratch, O& observer) {
     Route route;
     detail::IntervalSearch<Pieces, O> search(space, pieces, query, scratch, observer, route.stats);
-    if (auto failure = search.run()) {
-      if (failure->code == PlanError::unreachable) {
-        failure->detail = "no path among the blocked cells";
-      } else if (failure->code == PlanError::budget_exhausted) {
-        failure->detail =
+    if (auto found = search.run(); !found) {
+      Failure failure = std::move(found.error());
+      if (failure.code == PlanError::unreachable) {
+        failure.detail = "no path among the blocked cells";
+      } else if (failure.code == PlanError::budget_exhausted) {
+        failure.detail =
             "search stopped after " + std::to_string(route.stats.expanded) + " expansions";
       }
-      failure->stats = route.stats;
-      return Unexpected{std::move(*failure)};
+      failure.stats = route.stats;
+      return Unexpected{std::move(failure)};
     }
     route.curve = search.curve();
     route.cost = route.curve.length();

@@ -26,13 +26,12 @@ namespace detail {
 
 /// `invalid_option` for cell costs of another size than the space's grid.
 template <GridSpace S>
-std::optional<Failure> check_costs(const S& space, const std::shared_ptr<const CellCosts>& costs) {
+Expected<void, Failure> check_costs(const S& space, const std::shared_ptr<const CellCosts>& costs) {
   if (costs == nullptr ||
       (costs->width() == space.grid().width() && costs->height() == space.grid().height())) {
-    return std::nullopt;
+    return {};
   }
-  return Failure{.code = PlanError::invalid_option,
-                 .detail = "costs must have the size of the space's grid"};
+  return fail(PlanError::invalid_option, "costs must have the size of the space's grid");
 }
 
 }  // namespace detail
@@ -56,7 +55,9 @@ struct AStar {
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto failure = detail::check_costs(space, costs)) return Unexpected{std::move(*failure)};
+    if (auto valid = detail::check_costs(space, costs); !valid) {
+      return std::move(valid).unexpected();
+    }
     if (costs != nullptr) {
       return detail::graph_search(
           space, query, scratch.graph, observer, *costs, [this](const detail::LinkedQuery& linked) {
@@ -71,10 +72,9 @@ struct AStar {
                                     return detail::GoalEstimate(heuristic, linked);
                                   });
     }
-    return detail::wave_search<false>(
-        space, query, scratch.wave, observer, [](const detail::LinkedQuery& linked) {
-          return detail::OctileHeuristic{linked.goal_cell, linked.goal_offset};
-        });
+    const detail::WaveSearch<detail::WaveSuccessors::all, detail::OctileHeuristic> wave{
+        scratch.wave};
+    return detail::search_grid(space, query, observer, wave);
   }
 };
 

@@ -21,10 +21,9 @@ struct CanonicalAStar {
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    return detail::wave_search<true>(
-        space, query, scratch, observer, [](const detail::LinkedQuery& linked) {
-          return detail::OctileHeuristic{linked.goal_cell, linked.goal_offset};
-        });
+    const detail::WaveSearch<detail::WaveSuccessors::canonical, detail::OctileHeuristic> wave{
+        scratch};
+    return detail::search_grid(space, query, observer, wave);
   }
 };
 

@@ -25,15 +25,16 @@ struct Dijkstra {
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto failure = detail::check_costs(space, costs)) return Unexpected{std::move(*failure)};
+    if (auto valid = detail::check_costs(space, costs); !valid) {
+      return std::move(valid).unexpected();
+    }
     if (costs != nullptr) {
       return detail::graph_search(
           space, query, scratch.graph, observer, *costs,
-          [](const detail::LinkedQuery&) { return detail::ZeroHeuristic{}; });
+          [](const detail::LinkedQuery&) { return detail::ZeroHeuristic(); });
     }
-    return detail::wave_search<false>(
-        space, query, scratch.wave, observer,
-        [](const detail::LinkedQuery&) { return detail::ZeroHeuristic{}; });
+    const detail::WaveSearch<detail::WaveSuccessors::all, detail::ZeroHeuristic> wave{scratch.wave};
+    return detail::search_grid(space, query, observer, wave);
   }
 };
 

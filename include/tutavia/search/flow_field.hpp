@@ -34,7 +34,9 @@ class FlowField {
     FlowField field;
     std::vector<detail::CellLink> seeds;
     for (const Point& goal : goals) {
-      if (auto failure = check_endpoint(space, goal, false)) return Unexpected{*failure};
+      if (auto valid = check_endpoint(space, goal, false); !valid) {
+        return std::move(valid).unexpected();
+      }
       const detail::CellLinks links(space.links(goal), space.frame().resolution);
       if (links.size() == 0) {
         return fail(PlanError::goal_blocked, "a goal has no link to the grid at this resolution");
@@ -45,19 +47,17 @@ class FlowField {
       }
     }
     NoObserver nobody;
+    const Query whole_map{.budget = budget};
+    detail::SearchContext<S, NoObserver> context{space, whole_map, nobody};
     detail::GridWaveScratch scratch;
-    detail::GridWave<true, detail::ZeroHeuristic, NoObserver> wave(
-        space.grid(), space.movement(), space.frame(), detail::ZeroHeuristic{}, seeds, scratch,
-        nobody);
+    detail::GridWave<detail::WaveSuccessors::canonical, detail::ZeroHeuristic, S, NoObserver> wave(
+        context, detail::ZeroHeuristic(), seeds, scratch);
     typename decltype(wave)::Popped popped;
     while (wave.pop(std::numeric_limits<Cost>::max(), popped)) {
-      if (detail::is_checked(budget, wave.expanded())) {
-        if (auto failure = detail::exceeded(budget, wave.expanded())) return Unexpected{*failure};
-      }
+      if (auto within = context.check_budget(); !within) return std::move(within).unexpected();
       wave.expand(popped);
     }
-    field.stats_.expanded = wave.expanded();
-    field.stats_.generated = wave.generated();
+    field.stats_ = context.statistics;
     field.labels_ = std::move(scratch.labels);
     return field;
   }
@@ -78,7 +78,9 @@ class FlowField {
   /// The path from a point to the nearest goal. Errors as for a query.
   template <GridSpace S>
   Expected<Route, Failure> path(const S& space, const Point& start) const {
-    if (auto failure = check_endpoint(space, start, true)) return Unexpected{*failure};
+    if (auto valid = check_endpoint(space, start, true); !valid) {
+      return std::move(valid).unexpected();
+    }
     const Frame& frame = space.frame();
     const detail::GridLabels::View labels = labels_.view();
     Cost best = std::numeric_limits<Cost>::max();
@@ -97,7 +99,9 @@ class FlowField {
     const Point* goal = nullptr;
     Cost exit = std::numeric_limits<Cost>::max();
     for (const auto& [link, point] : ends_) {
-      if (link.cell == cells.back() && link.cost < exit) goal = &point, exit = link.cost;
+      if (link.cell != cells.back() || link.cost >= exit) continue;
+      goal = &point;
+      exit = link.cost;
     }
     Route route;
     Point previous = start;
@@ -123,7 +127,9 @@ class FlowField {
       for (int x = 0; x < space.grid().width(); ++x) {
         if (!reached(space, {x, y})) continue;
         const double gap = distance(space.frame().point({x, y}), p);
-        if (gap < least) best = Cell{x, y}, least = gap;
+        if (!(gap < least)) continue;
+        best = Cell{x, y};
+        least = gap;
       }
     }
     return best;

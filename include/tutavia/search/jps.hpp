@@ -68,7 +68,7 @@ struct Jps {
   template <JumpSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
+    if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
     const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
     return detail::jump_search(space, query, scanner, scratch, observer);
   }

@@ -46,7 +46,7 @@ struct JpsThetaStar {
   template <JumpSightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
+    if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
     for (const double weight : {far_weight, near_weight}) {
       if (!(0 <= weight && weight <= 1e6)) {
         return fail(PlanError::invalid_option, "weights must lie between 0 and 10^6");

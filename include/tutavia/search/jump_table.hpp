@@ -37,9 +37,10 @@ class JumpTable {
   static constexpr int far = 127;
   static constexpr int leg = 126;
 
-  /// Computes the table in O(cells) by one or two threads; the result does not depend on their
-  /// number.
-  static JumpTable build(const OccupancyGrid& grid, unsigned threads = 1);
+  enum class Threads { one, two };
+
+  /// Computes the table in O(cells); the result does not depend on the number of threads.
+  static JumpTable build(const OccupancyGrid& grid, Threads threads = Threads::one);
 
   /// The table as bytes, to be kept in a file; 8 per cell and a short head.
   std::string to_bytes() const;
@@ -68,6 +69,8 @@ class JumpTable {
   std::size_t memory() const { return rows_.size() * sizeof(Row); }
 
  private:
+  class Filler;
+
   explicit JumpTable(const OccupancyGrid& grid)
       : width_(grid.width()),
         height_(grid.height()),
@@ -83,9 +86,6 @@ class JumpTable {
       if (next != far) return next > 0 ? legs + next : next - legs;
     }
   }
-
-  /// The jumps that lead to the row above (dy = 1) or below; those along the rows with `dy` = 1.
-  void fill(const OccupancyGrid& grid, int dy);
 
   static std::uint64_t hash(const OccupancyGrid& grid) {  // FNV-1a over words
     std::uint64_t value = 0xCBF29CE484222325u;
@@ -122,75 +122,114 @@ inline constexpr std::string_view jump_table_magic = "tutavia jump table 2\n";
 
 }  // namespace detail
 
-inline JumpTable JumpTable::build(const OccupancyGrid& grid, unsigned threads) {
-  JumpTable table(grid);
-  if (threads > 1) {
-    std::thread below([&] { table.fill(grid, -1); });
-    table.fill(grid, 1);
-    below.join();
-  } else {
-    table.fill(grid, 1);
-    table.fill(grid, -1);
-  }
-  return table;
-}
+/// Fills the jumps of a table that lead to the row above or below, row by row from the far side.
+class JumpTable::Filler {
+ public:
+  /// `dy`: 1 for the jumps to the row above, and for those along the rows; -1 for those below.
+  Filler(JumpTable& table, const OccupancyGrid& grid, int dy)
+      : table_(table),
+        grid_(grid),
+        dy_(dy),
+        upright_(dy > 0 ? 2 : 6),
+        right_(dy > 0 ? 1 : 7),
+        left_(dy > 0 ? 3 : 5),
+        columns_(static_cast<std::size_t>(grid.width())),
+        before_(columns_ + 2),
+        now_(columns_ + 2) {}
 
-inline void JumpTable::fill(const OccupancyGrid& grid, int dy) {
-  // Whole jumps in the row that was done last, with a cell beyond either end.
+  void fill() {
+    for (int i = 0; i < table_.height_; ++i) {
+      const int y = dy_ > 0 ? table_.height_ - 1 - i : i;
+      look_around(y);
+      for (std::size_t x = columns_; x > 0; --x) jump_right(x);
+      for (std::size_t x = 1; x <= columns_; ++x) {
+        jump_on(x);
+        write(table_.row({static_cast<int>(x - 1), y}), now_[x]);
+      }
+      std::swap(before_, now_);
+    }
+  }
+
+ private:
+  /// Whole jumps from a cell.
   struct Jumps {
     int right = 0, left = 0, upright = 0, diagonal_right = 0, diagonal_left = 0;
     StepSet successors = 0, stops = 0;
   };
-  const detail::SuccessorTable& successors = detail::all_successors(MovementRule::no_cut);
-  const detail::SuccessorTable& stops = detail::jump_stops();
-  const std::size_t upright = dy > 0 ? 2 : 6, right = dy > 0 ? 1 : 7, left = dy > 0 ? 3 : 5;
-  const auto bit = [](StepSet set, std::size_t step) { return (set >> step) & 1; };
-  // A cell's jump from that of the next cell: can_step ? (stop ? 1 : next and one more) : 0,
-  // without branches, which would be anybody's guess.
-  const auto jump_by = [](int can_step, int stop, int next) {
+
+  static int bit(StepSet set, std::size_t step) { return (set >> step) & 1; }
+  /// A cell's jump from that of the next cell: can_step ? (stop ? 1 : next and one more) : 0,
+  /// without branches, which would be anybody's guess.
+  static int jump_by(int can_step, int stop, int next) {
     const int further = next + (next > 0 ? 1 : -1);
     return -can_step & (((stop - 1) & further) | stop);
-  };
-  const auto leg_of = [](int jump) {
-    return static_cast<std::int8_t>(std::abs(jump) > leg ? far : jump);
-  };
-  const auto columns = static_cast<std::size_t>(width_);
-  std::vector<Jumps> before(columns + 2), now(columns + 2);
-  for (int i = 0; i < height_; ++i) {
-    const int y = dy > 0 ? height_ - 1 - i : i;
-    const std::size_t first = grid.index({0, y});
-    for (std::size_t x = 1; x <= columns; ++x) {
-      const detail::Neighbourhood around = grid.view().neighbourhood(first + x - 1);
-      now[x].successors = successors[around];
-      now[x].stops = stops[around];
-    }
-    for (std::size_t x = columns; x > 0; --x) {
-      now[x].right = jump_by(bit(now[x].successors, 0), bit(now[x + 1].stops, 0), now[x + 1].right);
-    }
-    for (std::size_t x = 1; x <= columns; ++x) {
-      Jumps& jumps = now[x];
-      const StepSet can = jumps.successors;
-      const Jumps &above = before[x], &above_right = before[x + 1], &above_left = before[x - 1];
-      const auto turns = [](int sideways, int ahead) {
-        return static_cast<int>(sideways > 0) | static_cast<int>(ahead > 0);
-      };
-      jumps.left = jump_by(bit(can, 4), bit(now[x - 1].stops, 4), now[x - 1].left);
-      jumps.upright = jump_by(bit(can, upright), bit(above.stops, upright), above.upright);
-      jumps.diagonal_right = jump_by(bit(can, right), turns(above_right.right, above_right.upright),
-                                     above_right.diagonal_right);
-      jumps.diagonal_left = jump_by(bit(can, left), turns(above_left.left, above_left.upright),
-                                    above_left.diagonal_left);
-      Row& row = this->row({static_cast<int>(x - 1), y});
-      row[upright] = leg_of(jumps.upright);
-      row[right] = leg_of(jumps.diagonal_right);
-      row[left] = leg_of(jumps.diagonal_left);
-      if (dy > 0) {
-        row[0] = leg_of(jumps.right);
-        row[4] = leg_of(jumps.left);
-      }
-    }
-    std::swap(before, now);
   }
+  /// Whether a diagonal jump stops at a cell with these straight jumps.
+  static int turns(int sideways, int ahead) {
+    return static_cast<int>(sideways > 0) | static_cast<int>(ahead > 0);
+  }
+  static std::int8_t leg_of(int jump) {
+    return static_cast<std::int8_t>(std::abs(jump) > leg ? far : jump);
+  }
+
+  void look_around(int y) {
+    const std::size_t first = grid_.index({0, y});
+    for (std::size_t x = 1; x <= columns_; ++x) {
+      const detail::Neighbourhood around = grid_.view().neighbourhood(first + x - 1);
+      now_[x].successors = successors_[around];
+      now_[x].stops = stops_[around];
+    }
+  }
+
+  void jump_right(std::size_t x) {
+    const Jumps& next = now_[x + 1];
+    now_[x].right = jump_by(bit(now_[x].successors, 0), bit(next.stops, 0), next.right);
+  }
+
+  /// The jumps to the left and to the next row.
+  void jump_on(std::size_t x) {
+    Jumps& jumps = now_[x];
+    const StepSet can = jumps.successors;
+    const Jumps &above = before_[x], &above_right = before_[x + 1], &above_left = before_[x - 1];
+    jumps.left = jump_by(bit(can, 4), bit(now_[x - 1].stops, 4), now_[x - 1].left);
+    jumps.upright = jump_by(bit(can, upright_), bit(above.stops, upright_), above.upright);
+    jumps.diagonal_right = jump_by(bit(can, right_), turns(above_right.right, above_right.upright),
+                                   above_right.diagonal_right);
+    jumps.diagonal_left = jump_by(bit(can, left_), turns(above_left.left, above_left.upright),
+                                  above_left.diagonal_left);
+  }
+
+  void write(Row& row, const Jumps& jumps) const {
+    row[upright_] = leg_of(jumps.upright);
+    row[right_] = leg_of(jumps.diagonal_right);
+    row[left_] = leg_of(jumps.diagonal_left);
+    if (dy_ < 0) return;
+    row[0] = leg_of(jumps.right);
+    row[4] = leg_of(jumps.left);
+  }
+
+  JumpTable& table_;
+  const OccupancyGrid& grid_;
+  const detail::SuccessorTable& successors_ = detail::all_successors(MovementRule::no_cut);
+  const detail::SuccessorTable& stops_ = detail::jump_stops();
+  int dy_;
+  std::size_t upright_, right_, left_;  // steps
+  std::size_t columns_;
+  std::vector<Jumps> before_, now_;  // the row done last and this one, with a cell beyond each end
+};
+
+inline JumpTable JumpTable::build(const OccupancyGrid& grid, Threads threads) {
+  JumpTable table(grid);
+  const auto fill = [&](int dy) { Filler(table, grid, dy).fill(); };
+  if (threads == Threads::two) {
+    std::thread below(fill, -1);
+    fill(1);
+    below.join();
+  } else {
+    fill(1);
+    fill(-1);
+  }
+  return table;
 }
 
 inline std::string JumpTable::to_bytes() const {

@@ -7,14 +7,12 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "tutavia/search/grid/best_first.hpp"
 #include "tutavia/search/grid/goal_estimate.hpp"
 #include "tutavia/search/grid/grid_graph.hpp"
+#include "tutavia/search/grid/search_grid.hpp"
 #include "tutavia/search/heuristic.hpp"
 
 /// \file
@@ -46,34 +44,7 @@ struct PenaltyAStar {
                   std::to_string(space.grid().index_count()) +
                       " cells with padding, 2^28 allowed by penalty_astar");
     }
-    const double resolution = space.frame().resolution;
-    const double unit = static_cast<double>(straight_cost) / resolution;
-    const auto eighth = static_cast<Cost>(std::lround(turn_penalty * std::numbers::pi / 4 * unit));
-    std::optional<Cost> paid;
-    auto route = detail::search_grid(
-        space, query, scratch.cells,
-        [&](const detail::LinkedQuery& linked, std::vector<Cell>& cells,
-            Statistics& stats) -> std::optional<Failure> {
-          const HeadingGraph<S> graph{
-              space, query, linked, space.grid().view(), detail::all_successors(space.movement()),
-              eighth};
-          const detail::GoalEstimate estimate(Heuristic::octile, linked);
-          const auto heuristic = [&](detail::NodeId node) -> Cost {
-            return node >= graph.source() ? 0 : estimate(graph.cell(node));
-          };
-          const auto stopped = detail::best_first(graph, heuristic, scratch.best_first,
-                                                  query.budget, observer, stats);
-          if (stopped) return Failure{.code = *stopped};
-          const detail::BestFirstScratch& labels = scratch.best_first;
-          for (detail::NodeId node = labels.find(graph.target())->parent; node != graph.source();
-               node = labels.find(node)->parent) {
-            detail::append_cell(cells, graph.cell(node));
-          }
-          paid = labels.find(graph.target())->g;
-          return std::nullopt;
-        });
-    if (route && paid) route->cost = static_cast<double>(*paid) / unit;
-    return route;
+    return detail::search_grid(space, query, observer, HeadingSearch{turn_penalty, scratch});
   }
 
  private:
@@ -85,7 +56,8 @@ struct PenaltyAStar {
     const detail::LinkedQuery& linked;
     OccupancyGrid::View grid;
     const detail::SuccessorTable& table;
-    Cost eighth;  // what a turn of 45 degrees costs
+    double unit;  // so much a metre costs
+    Cost eighth;  // so much a turn of 45 degrees costs
 
     std::size_t size() const { return 16 * space.grid().index_count() + 2; }
     detail::NodeId source() const { return static_cast<detail::NodeId>(size() - 2); }
@@ -95,6 +67,7 @@ struct PenaltyAStar {
       if (node >= source()) return node == source() ? query.start : query.goal;
       return space.frame().point(cell(node));
     }
+    double in_metres(Cost cost) const { return static_cast<double>(cost) / unit; }
     detail::NodeId id(Cell at, std::size_t arrival) const {
       return static_cast<detail::NodeId>(16 * grid.index(at) + arrival);
     }
@@ -116,6 +89,28 @@ struct PenaltyAStar {
         visit(id(from + steps[direction], direction), step_cost(direction) + turn * eighth);
       }
       if (const auto cost = linked.exit_cost(from)) visit(target(), *cost);
+    }
+  };
+
+  struct HeadingSearch {
+    double turn_penalty;
+    detail::GridGraphScratch& scratch;
+
+    template <GridSpace S, Observer O>
+    Expected<detail::GridPath, Failure> run(const detail::LinkedQuery& linked,
+                                            detail::SearchContext<S, O>& context) const {
+      const S& space = context.space;
+      const double unit = static_cast<double>(straight_cost) / space.frame().resolution;
+      const HeadingGraph<S> graph{
+          .space = space,
+          .query = context.query,
+          .linked = linked,
+          .grid = space.grid().view(),
+          .table = detail::all_successors(space.movement()),
+          .unit = unit,
+          .eighth = static_cast<Cost>(std::lround(turn_penalty * std::numbers::pi / 4 * unit))};
+      return detail::search_cells(graph, detail::GoalEstimate(Heuristic::octile, linked), scratch,
+                                  context);
     }
   };
 };

@@ -55,14 +55,14 @@ inline void add_nearest_safe_point(Failure& failure, const std::optional<Point>&
 
 }  // namespace detail
 
-/// Why a point is no place to start or end in `space`, if it is not: out of bounds, or blocked with
-/// the clearance there where the space knows it.
+/// Checks that a query may start (or end) at a point of `space`. Errors: the point is out of
+/// bounds, or blocked with the clearance there where the space knows it.
 template <FreeSpace S>
-std::optional<Failure> check_endpoint(const S& space, const Point& p, bool is_start) {
+Expected<void, Failure> check_endpoint(const S& space, const Point& p, bool is_start) {
   const bool within = space.bounds().contains(p);  // false for NaN
-  if (within && space.is_free(p)) return std::nullopt;
+  if (within && space.is_free(p)) return {};
   Failure failure = detail::endpoint_failure(p, is_start, within);
-  if (!within) return failure;
+  if (!within) return Unexpected{std::move(failure)};
   if constexpr (ClearanceSpace<S>) {
     detail::add_clearance(failure, space.clearance(p), space.safety_radius());
     failure.obstacle =
@@ -71,38 +71,40 @@ std::optional<Failure> check_endpoint(const S& space, const Point& p, bool is_st
   if constexpr (FeatureSpace<S>) {
     detail::add_nearest_safe_point(failure, nearest_free_point(space, p));
   }
-  return failure;
+  return Unexpected{std::move(failure)};
 }
 
-/// The first reason why a query cannot be answered in `space`, if there is one.
+/// Checks that a query may start and end where it says. Errors: those of `check_endpoint`, for the
+/// start first.
 template <FreeSpace S>
-std::optional<Failure> check_query(const S& space, const Query& query) {
-  if (auto failure = check_endpoint(space, query.start, true)) return failure;
+Expected<void, Failure> check_query(const S& space, const Query& query) {
+  if (auto start = check_endpoint(space, query.start, true); !start) return start;
   return check_endpoint(space, query.goal, false);
 }
 
-/// Why a search that is defined for the movement rule `no_cut` alone cannot be asked in `space`, if
-/// it cannot.
+/// Checks the movement rule of `space` for a search that is defined for `no_cut` alone. Errors:
+/// `invalid_option`.
 template <GridSpace S>
-std::optional<Failure> check_no_cut(const S& space, std::string_view search) {
-  if (space.movement() == MovementRule::no_cut) return std::nullopt;
-  Failure failure{.code = PlanError::invalid_option, .detail = std::string(search)};
-  failure.detail += " is defined for the movement rule no_cut";
-  return failure;
+Expected<void, Failure> check_no_cut(const S& space, std::string_view search) {
+  if (space.movement() == MovementRule::no_cut) return {};
+  return fail(PlanError::invalid_option,
+              std::string(search) + " is defined for the movement rule no_cut");
 }
 
 namespace detail {
 
-/// Whether to look at the budget before an expansion: the clock is read once in `every`.
-inline bool is_checked(const Budget& budget, std::uint64_t expanded, std::uint64_t every = 256) {
-  return expanded % every == 0 || expanded >= budget.max_expansions;
+/// Checks that a query may go on after so many expansions. Errors: what the budget says.
+inline Expected<void, Failure> check_budget(const Budget& budget, std::uint64_t expanded) {
+  if (expanded >= budget.max_expansions) return fail(PlanError::budget_exhausted);
+  if (const auto code = budget.exceeded()) return fail(*code);
+  return {};
 }
 
-/// What ends a query, if it is to end.
-inline std::optional<Failure> exceeded(const Budget& budget, std::uint64_t expanded) {
-  if (expanded >= budget.max_expansions) return Failure{.code = PlanError::budget_exhausted};
-  if (const auto end = budget.exceeded()) return Failure{.code = to_error(*end)};
-  return std::nullopt;
+/// The same before every expansion of a search: the clock is read once in `every` of them.
+inline Expected<void, Failure> check_budget(const Budget& budget, std::uint64_t expanded,
+                                            std::uint64_t every) {
+  if (expanded % every != 0 && expanded < budget.max_expansions) return {};
+  return check_budget(budget, expanded);
 }
 
 }  // namespace detail

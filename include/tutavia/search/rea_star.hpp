@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -15,6 +14,8 @@
 #include "tutavia/search/grid/goal_estimate.hpp"
 #include "tutavia/search/grid/grid_query.hpp"
 #include "tutavia/search/grid/open_heap.hpp"
+#include "tutavia/search/grid/search_context.hpp"
+#include "tutavia/search/grid/search_grid.hpp"
 #include "tutavia/search/grid/stamped_labels.hpp"
 #include "tutavia/search/heuristic.hpp"
 #include "tutavia/search/query_checks.hpp"
@@ -86,19 +87,16 @@ namespace detail {
 template <ColumnSpace S, Observer O>
 class RectangleSearch {
  public:
-  RectangleSearch(const S& space, const Query& query, const LinkedQuery& linked,
-                  ReaScratch& scratch, O& observer, Statistics& stats)
-      : space_(space),
-        rectangles_(space),
-        grid_(space.grid().view()),
-        query_(query),
+  RectangleSearch(SearchContext<S, O>& context, const LinkedQuery& linked, ReaScratch& scratch)
+      : context_(context),
+        space_(context.space),
+        rectangles_(space_),
+        grid_(space_.grid().view()),
         linked_(linked),
-        estimate_{linked.goal_cell, linked.goal_offset},
-        scratch_(scratch),
-        observer_(observer),
-        stats_(stats) {}
+        estimate_(linked),
+        scratch_(scratch) {}
 
-  std::optional<Failure> run() {
+  Expected<void, Failure> run() {
     scratch_.labels.begin(space_.grid().index_count());
     scratch_.expansions.clear();
     scratch_.open.clear();
@@ -111,15 +109,12 @@ class RectangleSearch {
       if (entry.key >= best_) break;
       trim(entry.interval);
       if (entry.interval.first > entry.interval.last) continue;
-      if (is_checked(query_.budget, stats_.expanded, 64)) {
-        if (auto failure = exceeded(query_.budget, stats_.expanded)) return failure;
-      }
-      ++stats_.expanded;
-      observer_.expanded(place(entry.interval.middle()));
+      if (auto within = context_.check_budget(64); !within) return within;
+      context_.count_expanded(entry.interval.middle());
       expand(entry);
     }
-    if (best_ == std::numeric_limits<Cost>::max()) return Failure{.code = PlanError::unreachable};
-    return std::nullopt;
+    if (best_ == std::numeric_limits<Cost>::max()) return fail(PlanError::unreachable);
+    return {};
   }
 
   /// Of the path in octile distance, the links of start and goal included.
@@ -127,7 +122,7 @@ class RectangleSearch {
   /// The path from the goal's cell back to the start's.
   void path(std::vector<Cell>& cells) const {
     Cell cell = grid_.cell(goal_);
-    append_cell(cells, cell);
+    cells.assign(1, cell);
     for (std::uint32_t e = label(cell).expansion; e != none; e = label(cell).expansion) {
       const auto& [from, rectangle] = scratch_.expansions[e];
       const bool is_beyond = !rectangle.contains(cell);
@@ -143,7 +138,6 @@ class RectangleSearch {
  private:
   static constexpr std::uint32_t none = 0x7fffffff;
 
-  Point place(Cell cell) const { return space_.frame().point(cell); }
   ReaScratch::Label& label(Cell cell) const { return scratch_.labels[grid_.index(cell)]; }
 
   /// Of the cells of an interval (with or without the cell itself) the one from which a cell of the
@@ -187,8 +181,7 @@ class RectangleSearch {
   void push(const CellInterval& interval, Cost key, std::uint32_t expansion) {
     if (key >= best_) return;
     scratch_.open.push({key, sequence_++, interval, expansion});
-    ++stats_.generated;
-    observer_.generated(place(interval.middle()));
+    context_.count_generated(interval.middle());
   }
 
   /// Cuts off the cells at the ends of an interval that were expanded at what they cost now.
@@ -200,7 +193,7 @@ class RectangleSearch {
   void expand(const ReaScratch::Entry& entry) {
     const CellInterval& from = entry.interval;
     const CellRectangle r = rectangles_.grow(from);
-    tell_of(observer_, space_, from, r);
+    tell_of(context_.observer, space_, from, r);
     const auto expansion = static_cast<std::uint32_t>(scratch_.expansions.size());
     scratch_.expansions.push_back({from, r});
     bool is_unchanged = true;  // since the expansion that found the interval
@@ -271,18 +264,29 @@ class RectangleSearch {
     }
   }
 
+  SearchContext<S, O>& context_;
   const S& space_;
   FreeRectangles rectangles_;
   OccupancyGrid::View grid_;
-  const Query& query_;
   const LinkedQuery& linked_;
   OctileHeuristic estimate_;
   ReaScratch& scratch_;
-  O& observer_;
-  Statistics& stats_;
   std::uint64_t sequence_ = 0;
   Cost best_ = std::numeric_limits<Cost>::max();  // of a path to the goal
   std::size_t goal_ = 0;                          // its last cell
+};
+
+/// A RectangleSearch for search_grid.
+struct RectangleGridSearch {
+  ReaScratch& scratch;
+
+  template <ColumnSpace S, Observer O>
+  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+    RectangleSearch<S, O> search(context, linked, scratch);
+    if (auto found = search.run(); !found) return std::move(found).unexpected();
+    search.path(scratch.cells);
+    return GridPath{scratch.cells, in_metres(search.cost(), context.space.frame().resolution)};
+  }
 };
 
 }  // namespace detail
@@ -290,22 +294,8 @@ class RectangleSearch {
 template <ColumnSpace S, Observer O>
 Expected<Route, Failure> ReaStar::search(const S& space, const Query& query, Scratch& scratch,
                                          O& observer) const {
-  if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
-  std::optional<Cost> paid;
-  auto route = detail::search_grid(space, query, scratch.cells,
-                                   [&](const detail::LinkedQuery& linked, std::vector<Cell>& cells,
-                                       Statistics& stats) -> std::optional<Failure> {
-                                     detail::RectangleSearch<S, O> search(space, query, linked,
-                                                                          scratch, observer, stats);
-                                     if (auto failure = search.run()) return failure;
-                                     search.path(cells);
-                                     paid = search.cost();
-                                     return std::nullopt;
-                                   });
-  if (route && paid) {
-    route->cost = detail::in_metres(*paid, space.frame().resolution);
-  }
-  return route;
+  if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
+  return detail::search_grid(space, query, observer, detail::RectangleGridSearch{scratch});
 }
 
 }  // namespace tutavia

@@ -39,8 +39,8 @@ struct Rrt {
   template <FreeSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto failure = detail::check_growth(space, query, step, goal_bias, iterations)) {
-      return Unexpected{std::move(*failure)};
+    if (auto valid = detail::check_growth(*this, space, query); !valid) {
+      return std::move(valid).unexpected();
     }
     detail::SearchTree& tree = scratch.tree;
     tree.begin(space.bounds(), query.start);
@@ -50,8 +50,8 @@ struct Rrt {
       return growth.add(tree, parent, p, distance(tree.position(parent), p));
     };
     for (std::uint32_t i = 0; i < iterations; ++i) {
-      if (auto failure = growth.next_iteration()) {
-        return Unexpected{growth.failure(std::move(*failure), tree)};
+      if (auto next = growth.next_iteration(); !next) {
+        return Unexpected{growth.failure(std::move(next.error()), tree)};
       }
       const Point target = growth.sample(goal_bias);
       const detail::SearchTree::Node nearest = tree.points().nearest(target);

@@ -51,8 +51,8 @@ struct RrtConnect {
   template <FreeSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto failure = detail::check_growth(space, query, step, 0, iterations)) {
-      return Unexpected{std::move(*failure)};
+    if (auto valid = detail::check_growth(*this, space, query); !valid) {
+      return std::move(valid).unexpected();
     }
     scratch.from_start.begin(space.bounds(), query.start);
     scratch.from_goal.begin(space.bounds(), query.goal);
@@ -60,8 +60,8 @@ struct RrtConnect {
     detail::TreeGrowth growth(space, query, step, observer);
     detail::SearchTree *tree = &scratch.from_start, *other = &scratch.from_goal;
     for (std::uint32_t i = 0; i < iterations; ++i, std::swap(tree, other)) {
-      if (auto failure = growth.next_iteration()) {
-        return Unexpected{growth.failure(std::move(*failure), scratch.from_start)};
+      if (auto next = growth.next_iteration(); !next) {
+        return Unexpected{growth.failure(std::move(next.error()), scratch.from_start)};
       }
       if (!extend(growth, *tree, growth.sample())) continue;
       const Point meeting = tree->position(last(*tree));

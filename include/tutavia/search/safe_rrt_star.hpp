@@ -115,11 +115,11 @@ Route pruned(const S& space, const std::vector<Point>& path, const Price& edge_c
 template <ClearanceSpace S, Observer O>
 Expected<Route, Failure> SafeRrtStar::search(const S& space, const Query& query, Scratch& scratch,
                                              O& observer) const {
-  if (auto failure = detail::check_optimal_growth(*this, space, query)) {
-    return Unexpected{std::move(*failure)};
+  if (auto valid = detail::check_optimal_growth(*this, space, query); !valid) {
+    return std::move(valid).unexpected();
   }
   const RiskZone risk_zone = zone(space);
-  if (const auto valid = risk_zone.check(); !valid) return Unexpected{valid.error()};
+  if (auto valid = risk_zone.check(); !valid) return std::move(valid).unexpected();
   const detail::OutsideRiskZone outside(space, risk_zone);
   scratch.tree.begin(space.bounds(), query.start);
   if (auto straight = detail::straight_route(outside, query)) return std::move(*straight);
@@ -137,7 +137,7 @@ Expected<Route, Failure> SafeRrtStar::search(const S& space, const Query& query,
   Statistics spent;
   if (keep_out && outside.is_free(query.start) && outside.is_free(query.goal)) {
     auto route = grow(outside, detail::LengthCost{}, spent);
-    if (route || detail::exceeded(query.budget, route.error().stats.expanded)) return route;
+    if (route || !detail::check_budget(query.budget, route.error().stats.expanded)) return route;
     spent = route.error().stats;
   }
   const auto cost = [&](const Point& p, const Point& q, double) {

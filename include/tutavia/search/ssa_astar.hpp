@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,7 +42,7 @@ struct SsaAStar {
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (const auto failure = check(weights)) return Unexpected{*failure};
+    if (auto valid = check(weights); !valid) return std::move(valid).unexpected();
     return detail::graph_search(
         space, query, scratch, observer, detail::PlainPrices{},
         [&](const detail::LinkedQuery& linked) {
@@ -59,16 +58,15 @@ struct SsaAStar {
   }
 
   /// `invalid_option` for weights that no search takes.
-  static std::optional<Failure> check(const SsaWeights& weights) {
+  static Expected<void, Failure> check(const SsaWeights& weights) {
     for (const auto& [weight, option] :
          {std::pair{weights.chebyshev, "chebyshev"}, std::pair{weights.euclidean, "euclidean"},
           std::pair{weights.density, "density"}}) {
       if (weight >= 0 && weight <= 1000) continue;
-      return Failure{
-          .code = PlanError::invalid_option,
-          .detail = std::string("the weight ") + option + " must lie between 0 and 1000"};
+      return fail(PlanError::invalid_option,
+                  std::string("the weight ") + option + " must lie between 0 and 1000");
     }
-    return std::nullopt;
+    return {};
   }
 };
 

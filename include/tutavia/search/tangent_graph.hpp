@@ -20,6 +20,7 @@
 #include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/grid/open_heap.hpp"
+#include "tutavia/search/grid/search_context.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/tangent_map.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -81,7 +82,7 @@ struct TangentGraph {
   static Expected<std::shared_ptr<const TangentMap>, Failure> prepare(const S& space,
                                                                       const Budget& budget = {}) {
     auto map = TangentMap::prepare(space, budget);
-    if (!map) return Unexpected{std::move(map.error())};
+    if (!map) return std::move(map).unexpected();
     return std::make_shared<const TangentMap>(std::move(*map));
   }
 
@@ -100,43 +101,38 @@ namespace detail {
 template <FeatureSpace S, Observer O>
 class TangentSearch {
  public:
-  TangentSearch(const S& space, const TangentMap& map, const Query& query, double bound,
-                TangentScratch& scratch, O& observer, Statistics& stats)
-      : space_(space),
+  TangentSearch(SearchContext<S, O>& context, const TangentMap& map, double bound,
+                TangentScratch& scratch)
+      : context_(context),
+        space_(context.space),
+        query_(context.query),
         map_(map),
-        query_(query),
         bound_(bound),
-        scratch_(scratch),
-        observer_(observer),
-        stats_(stats) {}
+        scratch_(scratch) {}
 
-  std::optional<Failure> run() {
+  Expected<void, Failure> run() {
     scratch_.open.clear();
     scratch_.arrivals.clear();
     scratch_.first.assign(map_.nodes() + std::size_t{1}, none);
     scratch_.arrivals.push_back(
         {{query_.start, query_.start, Point::Zero(), 0}, 0, none, none, none, 0});
-    if (auto failure = exceeded(query_.budget, 0)) return failure;
+    if (auto within = context_.check_budget(); !within) return within;
     expand(0);
     while (!scratch_.open.empty()) {
-      if (is_checked(query_.budget, stats_.expanded, 16)) {
-        if (auto failure = exceeded(query_.budget, stats_.expanded)) return failure;
-      }
+      if (auto within = context_.check_budget(16); !within) return within;
       const TangentScratch::Entry entry = scratch_.open.pop();
       if (!arrive(entry)) continue;
-      if (entry.node == goal_node()) return std::nullopt;
+      if (entry.node == goal_node()) return {};
       expand(static_cast<std::uint32_t>(scratch_.arrivals.size() - 1));
     }
     // A path that leaves or meets a safety zone at its rim, which only exact arcs could follow.
     for (const Point& end : {query_.start, query_.goal}) {
       if (space_.clearance(end) < space_.safety_radius() + 8 * space_.slack()) {
-        return Failure{.code = PlanError::not_proved,
-                       .detail =
-                           "start or goal touches a safety zone, and no path from there can "
-                           "be proved"};
+        return fail(PlanError::not_proved,
+                    "start or goal touches a safety zone, and no path from there can be proved");
       }
     }
-    return Failure{.code = PlanError::unreachable, .detail = "no path among the obstacles"};
+    return fail(PlanError::unreachable, "no path among the obstacles");
   }
 
   /// The path that the last arrival ends.
@@ -198,8 +194,7 @@ class TangentSearch {
 
   void expand(std::uint32_t index) {
     const TangentScratch::Arrival from = scratch_.arrivals[index];
-    ++stats_.expanded;
-    observer_.expanded(from.way.to);
+    context_.count_expanded(from.way.to);
     if (from.node != none && map_.is_prepared()) {
       for (const TangentMap::Node node : map_.ways(from.node)) generate(index, from, node, true);
     } else {
@@ -217,8 +212,7 @@ class TangentSearch {
     const double key = next->cost + distance(next->way.to, query_.goal);
     if (key > bound_) return;
     scratch_.open.push({key, sequence_++, index, node, is_proved});
-    ++stats_.generated;
-    observer_.generated(next->way.to);
+    context_.count_generated(next->way.to);
   }
 
   /// Whether an arrival at the same circle gets there by its arc at no more cost.
@@ -258,13 +252,12 @@ class TangentSearch {
     return true;
   }
 
+  SearchContext<S, O>& context_;
   const S& space_;
-  const TangentMap& map_;
   const Query& query_;
+  const TangentMap& map_;
   double bound_;
   TangentScratch& scratch_;
-  O& observer_;
-  Statistics& stats_;
   std::uint32_t sequence_ = 0;
 };
 
@@ -277,7 +270,7 @@ Expected<Route, Failure> TangentGraph::search(const S& space, const Query& query
   if (!(space.safety_radius() > 0)) {
     return fail(PlanError::invalid_option, "tangent_graph needs a positive safety radius");
   }
-  if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
+  if (auto valid = check_query(space, query); !valid) return std::move(valid).unexpected();
   Route route;
   if (query.start == query.goal) {
     route.curve.push_back(Segment{query.start, query.goal});
@@ -289,11 +282,13 @@ Expected<Route, Failure> TangentGraph::search(const S& space, const Query& query
   const std::optional<TangentMap> own =
       tangents == nullptr ? std::optional<TangentMap>(TangentMap(space)) : std::nullopt;
   const TangentMap& map = own ? *own : *tangents;
-  detail::TangentSearch<S, O> search(space, map, query, bound, scratch, observer, route.stats);
-  if (auto failure = search.run()) {
-    failure->stats = route.stats;
-    return Unexpected{std::move(*failure)};
+  detail::SearchContext<S, O> context{space, query, observer};
+  detail::TangentSearch search(context, map, bound, scratch);
+  if (auto found = search.run(); !found) {
+    found.error().stats = context.statistics;
+    return std::move(found).unexpected();
   }
+  route.stats = context.statistics;
   route.curve = search.curve();
   route.cost = route.curve.length();
   return route;

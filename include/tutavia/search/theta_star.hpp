@@ -1,289 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <optional>
 #include <string_view>
-#include <utility>
-#include <vector>
 
-#include "tutavia/core/parts/zeroed_array.hpp"
-#include "tutavia/grid/bitboard/successors.hpp"
-#include "tutavia/plan/query.hpp"
-#include "tutavia/plan/statistics.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/grid/grid_query.hpp"
-#include "tutavia/search/grid/wide_bucket_queue.hpp"
-#include "tutavia/search/mesh/corner_graph.hpp"
-#include "tutavia/search/query_checks.hpp"
-#include "tutavia/space/cell_space.hpp"
+#include "tutavia/search/grid/theta_search.hpp"
+#include "tutavia/search/node_placement.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// Theta* and Lazy Theta*: A* on a grid whose paths leave the grid's directions.
+/// Theta*: A* on a grid whose paths leave the grid's directions.
 
 namespace tutavia {
-
-/// Where the paths of a search bend.
-enum class Vertices {
-  cell_centre,  ///< at the reference points of the space's grid
-  /// At corners of cells, by the rules of CellCorners; on a CellSpace of radius 0. The first query
-  /// on a space makes its grid of corners, in O(cells).
-  cell_corner,
-};
-
-/// Memory of a Theta* search.
-class ThetaScratch {
- public:
-  struct Label {
-    double g;              ///< length of the path found, in cells
-    std::uint32_t parent;  ///< where its last segment begins
-    std::uint32_t stamp;
-  };
-
-  void begin(std::size_t size) {
-    if (labels_.size() < size || query_ == last_query) {
-      labels_ = detail::ZeroedArray<Label>(size);
-      query_ = 0;
-    }
-    ++query_;
-  }
-
-  bool reached(std::uint32_t node) const { return labels_[node].stamp >> 1 == query_; }
-  bool closed(std::uint32_t node) const { return labels_[node].stamp == (query_ << 1 | 1); }
-  const Label& operator[](std::uint32_t node) const { return labels_[node]; }
-  void set(std::uint32_t node, double g, std::uint32_t parent) {
-    labels_[node] = {g, parent, query_ << 1};
-  }
-  void close(std::uint32_t node) { labels_[node].stamp |= 1; }
-
-  detail::JumpQueueOf<6> open;  // closed cells stay closed: their order matters
-  std::vector<Cell> cells;
-
- private:
-  static constexpr std::uint32_t last_query = (std::uint32_t{1} << 31) - 1;
-
-  detail::ZeroedArray<Label> labels_;
-  std::uint32_t query_ = 0;
-};
-
-namespace detail {
-
-/// Gives the steps that lead from a node of the space's grid, by its index.
-template <SightSpace S>
-auto successors_of(const S& space) {
-  if constexpr (GridSpace<S>) {
-    return [grid = space.grid().view(), &table = all_successors(space.movement())](
-               std::size_t index) -> unsigned { return table[grid.neighbourhood(index)]; };
-  } else {
-    return [&space](std::size_t index) -> unsigned { return space.successors(index); };
-  }
-}
-
-/// One query of Theta* (`Lazy`: of Lazy Theta*). Nodes are the cells by index, and the query's
-/// start and goal where they are not cells themselves.
-template <bool Lazy, SightSpace S, Observer O>
-class ThetaSearch {
- public:
-  ThetaSearch(const S& space, const Query& query, const LinkedQuery& linked, ThetaScratch& scratch,
-              O& observer, Statistics& stats)
-      : space_(space),
-        grid_(space.grid().view()),
-        frame_(space.frame()),
-        successors_(successors_of(space)),
-        query_(query),
-        linked_(linked),
-        labels_(scratch),
-        observer_(observer),
-        stats_(stats),
-        cells_(static_cast<std::uint32_t>(space.grid().index_count())),
-        start_(linked.starts.is_cell() ? index(linked.starts.begin()->cell) : cells_),
-        goal_(linked.goals.is_cell() ? index(linked.goals.begin()->cell) : cells_ + 1),
-        start_place_(in_cells(query.start)),
-        goal_place_(in_cells(query.goal)) {}
-
-  std::optional<Failure> run() {
-    labels_.begin(std::size_t{cells_} + 2);
-    labels_.open.begin(0);
-    reach(start_, 0, start_);
-    while (!labels_.open.empty()) {
-      labels_.open.advance();
-      const std::uint32_t node = labels_.open.pop().node;
-      if (labels_.closed(node)) continue;
-      if (Lazy && !settle(node)) continue;
-      if (node == goal_) return std::nullopt;
-      if (is_checked(query_.budget, stats_.expanded)) {
-        if (auto failure = exceeded(query_.budget, stats_.expanded)) return failure;
-      }
-      expand(node);
-    }
-    return Failure{.code = PlanError::unreachable};
-  }
-
-  /// The cells where the path bends, from the goal back to the start; those two only as cells.
-  void trace(std::vector<Cell>& cells) const {
-    for (std::uint32_t node = goal_;; node = labels_[node].parent) {
-      if (node < cells_) cells.push_back(grid_.cell(node));
-      if (node == start_) return;
-    }
-  }
-
- private:
-  void expand(std::uint32_t node) {
-    ++stats_.expanded;
-    if constexpr (!std::same_as<O, NoObserver>) observer_.expanded(point(node));
-    labels_.close(node);
-    for_each_neighbour(node, [&](std::uint32_t next) {
-      if (!labels_.closed(next)) relax(node, next);
-    });
-    if (node < cells_ && goal_ >= cells_ && linked_.exit_cost(grid_.cell(node))) relax(node, goal_);
-  }
-
-  /// All nodes that one step or link leads to, the goal's links aside.
-  template <class Visit>
-  void for_each_neighbour(std::uint32_t node, const Visit& visit) const {
-    if (node >= cells_) {
-      for (const CellLink& link : node == start_ ? linked_.starts : linked_.goals) {
-        visit(index(link.cell));
-      }
-      return;
-    }
-    const Cell cell = grid_.cell(node);
-    for (unsigned left = successors_(node); left != 0; left &= left - 1) {
-      visit(index(cell + steps[static_cast<std::size_t>(std::countr_zero(left))]));
-    }
-  }
-
-  /// A way from `node` to its neighbour `next`, straight from the parent of `node` where that sees
-  /// it.
-  void relax(std::uint32_t node, std::uint32_t next) {
-    const double known =
-        labels_.reached(next) ? labels_[next].g : std::numeric_limits<double>::infinity();
-    const std::uint32_t parent = labels_[node].parent;
-    const double straight = labels_[parent].g + length(parent, next);
-    if (straight >= known) return;  // and so, by the triangle inequality, is the way by `node`
-    if (Lazy || parent == node || sees(parent, next)) {
-      reach(next, straight, parent);
-    } else if (const double bent = labels_[node].g + length(node, next); bent < known) {
-      reach(next, bent, node);
-    }
-  }
-
-  void reach(std::uint32_t reached, double g, std::uint32_t parent) {
-    ++stats_.generated;
-    if constexpr (!std::same_as<O, NoObserver>) observer_.generated(point(reached));
-    labels_.set(reached, g, parent);
-    labels_.open.push(static_cast<Cost>((g + length(place(reached), goal_place_)) *
-                                        static_cast<double>(straight_cost)),
-                      reached, 0);
-  }
-
-  /// Lazy Theta*: a node whose parent does not see it goes by the best of its closed neighbours,
-  /// and waits for its turn again; false then. (As published it is expanded at once, out of order;
-  /// paths on maps full of obstacles are up to 0.4 % longer so.)
-  bool settle(std::uint32_t node) {
-    if (node == start_ || sees(labels_[node].parent, node)) return true;
-    double best = std::numeric_limits<double>::infinity();
-    std::uint32_t parent = node;
-    const auto offer = [&](std::uint32_t neighbour) {
-      if (!labels_.closed(neighbour)) return;
-      const double g = labels_[neighbour].g + length(neighbour, node);
-      if (g < best) best = g, parent = neighbour;
-    };
-    for_each_neighbour(node, offer);
-    if (node < cells_ && start_ >= cells_ && linked_.starts.cost_of(grid_.cell(node))) {
-      offer(start_);
-    }
-    // A step that the grid allows, whether it counts as a line of sight or not.
-    if (parent == labels_[node].parent) return true;
-    reach(node, best, parent);
-    return false;
-  }
-
-  bool sees(std::uint32_t a, std::uint32_t b) const {
-    if (a < cells_ && b < cells_) return space_.sees(grid_.cell(a), grid_.cell(b));
-    return space_.segment_free(point(a), point(b));
-  }
-
-  /// Coordinates in cells.
-  struct Place {
-    double x, y;
-  };
-  Place in_cells(const Point& p) const {
-    const Point place = (p - frame_.origin) / frame_.resolution;
-    return {place.x(), place.y()};
-  }
-  Place place(std::uint32_t node) const {
-    if (node >= cells_) return node == cells_ ? start_place_ : goal_place_;
-    const Cell cell = grid_.cell(node);
-    return {static_cast<double>(cell.x), static_cast<double>(cell.y)};
-  }
-  static double length(Place a, Place b) {
-    const double dx = a.x - b.x, dy = a.y - b.y;
-    return std::sqrt(dx * dx + dy * dy);
-  }
-  double length(std::uint32_t a, std::uint32_t b) const { return length(place(a), place(b)); }
-
-  Point point(std::uint32_t node) const {
-    if (node < cells_) return frame_.point(grid_.cell(node));
-    return node == cells_ ? query_.start : query_.goal;
-  }
-  std::uint32_t index(Cell cell) const { return static_cast<std::uint32_t>(grid_.index(cell)); }
-
-  const S& space_;
-  OccupancyGrid::View grid_;
-  Frame frame_;
-  decltype(successors_of(std::declval<const S&>())) successors_;
-  const Query& query_;
-  const LinkedQuery& linked_;
-  ThetaScratch& labels_;
-  O& observer_;
-  Statistics& stats_;
-  std::uint32_t cells_;
-  std::uint32_t start_, goal_;
-  Place start_place_, goal_place_;
-};
-
-template <bool Lazy, SightSpace S, Observer O>
-Expected<Route, Failure> theta_search(const S& space, const Query& query, ThetaScratch& scratch,
-                                      O& observer) {
-  return search_grid(space, query, scratch.cells,
-                     [&](const LinkedQuery& linked, std::vector<Cell>& cells,
-                         Statistics& stats) -> std::optional<Failure> {
-                       ThetaSearch<Lazy, S, O> search(space, query, linked, scratch, observer,
-                                                      stats);
-                       if (auto failure = search.run()) return failure;
-                       search.trace(cells);
-                       return std::nullopt;
-                     });
-}
-
-template <bool Lazy, SightSpace S, Observer O>
-Expected<Route, Failure> theta_search(const S& space, const Query& query, Vertices vertices,
-                                      ThetaScratch& scratch, O& observer) {
-  if (vertices == Vertices::cell_centre) {
-    return theta_search<Lazy>(space, query, scratch, observer);
-  }
-  if constexpr (std::same_as<S, CellSpace>) {
-    const OccupancyGrid& cells = space.cells();
-    if (!OccupancyGrid::fits(cells.width() + std::int64_t{1}, cells.height() + std::int64_t{1})) {
-      return fail(PlanError::limit_exceeded, "the grid has too many corners for 32-bit indices");
-    }
-    if (space.safety_radius() == 0) {
-      if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
-      return theta_search<Lazy>(CellCorners(space), query, scratch, observer);
-    }
-  }
-  return fail(PlanError::invalid_option, "cell_corner is defined for cells at safety radius 0");
-}
-
-}  // namespace detail
 
 /// Theta*: A* in which a cell's parent may be any cell that sees it, so that paths turn by any
 /// angle, at cell centres or at corners of cells.
@@ -294,31 +22,15 @@ Expected<Route, Failure> theta_search(const S& space, const Query& query, Vertic
 /// Nash, Daniel, Koenig and Felner 2007, "Theta*: any-angle path planning on grids".
 struct ThetaStar {
   static constexpr std::string_view name = "theta_star";
-  using Scratch = ThetaScratch;
+  using Scratch = detail::ThetaScratch;
 
   Vertices vertices = Vertices::cell_centre;
 
   template <SightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    return detail::theta_search<false>(space, query, vertices, scratch, observer);
-  }
-};
-
-/// Lazy Theta*: Theta* that takes a line of sight for granted until the cell is expanded, so that
-/// it tests one per cell and not one per neighbour. Paths about as long; guarantees and errors as
-/// for ThetaStar. Source: Nash, Koenig and Tovey 2010, "Lazy Theta*: any-angle path planning and
-/// path length analysis in 3D".
-struct LazyThetaStar {
-  static constexpr std::string_view name = "lazy_theta_star";
-  using Scratch = ThetaScratch;
-
-  Vertices vertices = Vertices::cell_centre;
-
-  template <SightSpace S, Observer O = NoObserver>
-  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
-                                  O& observer) const {
-    return detail::theta_search<true>(space, query, vertices, scratch, observer);
+    return detail::theta_search<detail::SightTest::at_once>(space, query, vertices, scratch,
+                                                            observer);
   }
 };
 

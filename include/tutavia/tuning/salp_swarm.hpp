@@ -71,11 +71,13 @@ struct SalpSwarm {
  private:
   using Position = std::vector<double>;
 
-  const char* invalid_option() const {
-    if (population == 0) return "population must not be 0";
-    if (iterations == 0) return "iterations must not be 0";
-    if (leaders == 0 || leaders > population) return "leaders must lie in [1, population]";
-    return nullptr;
+  Expected<void, Failure> check() const {
+    if (population == 0) return fail(PlanError::invalid_option, "population must not be 0");
+    if (iterations == 0) return fail(PlanError::invalid_option, "iterations must not be 0");
+    if (leaders == 0 || leaders > population) {
+      return fail(PlanError::invalid_option, "leaders must lie in [1, population]");
+    }
+    return {};
   }
 
   /// Moves all salps for iteration t of 1 ... iterations.
@@ -117,7 +119,7 @@ template <SwarmObjective F>
 Expected<SwarmResult, Failure> SalpSwarm::minimise(const F& value, std::span<const double> lower,
                                                    std::span<const double> upper,
                                                    const Budget& budget) const {
-  if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
+  if (auto valid = check(); !valid) return std::move(valid).unexpected();
   if (lower.empty() || lower.size() != upper.size()) {
     return fail(PlanError::invalid_input, "as many lower as upper bounds are needed");
   }
@@ -139,7 +141,10 @@ Expected<SwarmResult, Failure> SalpSwarm::minimise(const F& value, std::span<con
     if (t > 0) move(salps, result.best, t, lower, upper, random);
     const std::vector<double> found = values(value, salps);
     for (std::size_t i = 0; i < salps.size(); ++i) {
-      if (found[i] < result.value) result.value = found[i], result.best = salps[i];
+      if (found[i] < result.value) {
+        result.value = found[i];
+        result.best = salps[i];
+      }
     }
     result.training.push_back(result.value);
   }

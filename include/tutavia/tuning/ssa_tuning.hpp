@@ -102,7 +102,7 @@ Expected<TunedWeights, Failure> tune_ssa(std::span<const S> spaces, std::span<co
     return fail(PlanError::invalid_option, "length_penalty must be finite and not negative");
   }
   for (const SsaWeights& bound : {training.lower, training.upper}) {
-    if (const auto failure = SsaAStar::check(bound)) return Unexpected{*failure};
+    if (auto valid = SsaAStar::check(bound); !valid) return std::move(valid).unexpected();
   }
   auto references = detail::ssa_references(spaces, queries);
   if (!references) return std::move(references).unexpected();

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "support/archetypes.hpp"
 #include "support/catch.hpp"
 
 namespace {
@@ -41,9 +42,17 @@ template <class H>
 Outcome run(const ListGraph& graph, const H& heuristic, BestFirstScratch& scratch,
             const Budget& budget = {}) {
   Outcome outcome;
+  const test::FreeArchetype space;
+  const Query query{.budget = budget};
   NoObserver nobody;
-  outcome.stopped = best_first(graph, heuristic, scratch, budget, nobody, outcome.stats);
-  if (!outcome.stopped) outcome.cost = scratch.find(graph.target())->g;
+  detail::SearchContext<test::FreeArchetype, NoObserver> context{space, query, nobody};
+  const auto found = best_first(graph, heuristic, scratch, context);
+  outcome.stats = context.statistics;
+  if (found) {
+    outcome.cost = scratch.find(graph.target())->g;
+  } else {
+    outcome.stopped = found.error().code;
+  }
   return outcome;
 }
 

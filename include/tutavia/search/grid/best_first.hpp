@@ -8,11 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "tutavia/core/budget.hpp"
 #include "tutavia/grid/movement.hpp"
-#include "tutavia/plan/statistics.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/grid/open_heap.hpp"
+#include "tutavia/search/grid/search_context.hpp"
 #include "tutavia/search/grid/stamped_labels.hpp"
 #include "tutavia/search/query_checks.hpp"
 
@@ -97,35 +96,29 @@ class BestFirstScratch {
 /// Searches from the source to the target, least g + heuristic(node) first, and stops when the
 /// target is taken from the open list. Nodes are re-opened when a cheaper way is found, so an
 /// admissible heuristic gives a cheapest path whether or not it is consistent. The path stands in
-/// the labels' parents. Returns what stopped it, if not the target: `unreachable` when the open
-/// list ran empty, or what the budget says. Source: Hart, Nilsson and Raphael 1968, "A formal basis
+/// the labels' parents. Errors: `unreachable` when the open list ran empty; what the budget says.
+/// Source: Hart, Nilsson and Raphael 1968, "A formal basis
 /// for the heuristic determination of minimum cost paths"; with heuristic 0: Dijkstra 1959.
-template <SearchGraph Graph, std::invocable<NodeId> Heuristic, Observer O>
-std::optional<PlanError> best_first(const Graph& graph, const Heuristic& heuristic,
-                                    BestFirstScratch& scratch, const Budget& budget, O& observer,
-                                    Statistics& stats) {
+template <SearchGraph Graph, std::invocable<NodeId> Heuristic, FreeSpace S, Observer O>
+Expected<void, Failure> best_first(const Graph& graph, const Heuristic& heuristic,
+                                   BestFirstScratch& scratch, SearchContext<S, O>& context) {
   scratch.begin(graph.size());
   const auto reach = [&](NodeId node, NodeId parent, Cost g) {
     const auto* label = scratch.find(node);
     if (label != nullptr && label->g <= g) return;
     scratch.push(node, parent, g, g + heuristic(node));
-    ++stats.generated;
-    observer.generated(graph.point(node));
+    context.count_generated(Point(graph.point(node)));
   };
   reach(graph.source(), graph.source(), 0);
   while (const auto entry = scratch.pop()) {
-    if (entry->node == graph.target()) return std::nullopt;
-    if (stats.expanded >= budget.max_expansions) return PlanError::budget_exhausted;
-    if (stats.expanded % 256 == 0) {
-      if (const auto exceeded = budget.exceeded()) return to_error(*exceeded);
-    }
-    ++stats.expanded;
-    observer.expanded(graph.point(entry->node));
+    if (entry->node == graph.target()) return {};
+    if (auto within = context.check_budget(); !within) return within;
+    context.count_expanded(Point(graph.point(entry->node)));
     graph.for_each_successor(entry->node, [&](NodeId successor, Cost cost) {
       reach(successor, entry->node, entry->g + cost);
     });
   }
-  return PlanError::unreachable;
+  return fail(PlanError::unreachable);
 }
 
 }  // namespace tutavia::detail

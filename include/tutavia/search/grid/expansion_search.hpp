@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <concepts>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "tutavia/core/budget.hpp"
 #include "tutavia/search/grid/grid_expansion.hpp"
 #include "tutavia/search/grid/grid_query.hpp"
+#include "tutavia/search/grid/search_grid.hpp"
 #include "tutavia/search/query_checks.hpp"
 
 /// \file
@@ -39,20 +37,18 @@ inline void trace(const OccupancyGrid& grid, const GridLabels::View& labels, Cel
   }
 }
 
-/// Searches from the start's links to the goal's, and stops when no cell can lead to a cheaper
-/// path than the best one found. `make_heuristic(linked)` makes the wave's heuristic.
-template <bool Canonical, GridSpace S, std::invocable<const LinkedQuery&> MakeHeuristic, Observer O>
-Expected<Route, Failure> wave_search(const S& space, const Query& query, WaveScratch& scratch,
-                                     O& observer, const MakeHeuristic& make_heuristic) {
-  const auto run = [&](const LinkedQuery& linked, std::vector<Cell>& cells,
-                       Statistics& stats) -> std::optional<Failure> {
-    const OccupancyGrid& grid = space.grid();
-    const auto heuristic = make_heuristic(linked);
-    GridWave<Canonical, std::decay_t<decltype(heuristic)>, O> wave(
-        grid, space.movement(), space.frame(), heuristic, linked.starts, scratch.wave, observer);
+/// A search that is one wave, from the start's links to the goal's. It stops when no cell can lead
+/// to a cheaper path than the best one found.
+template <WaveSuccessors Successors, WaveHeuristic Heuristic>
+struct WaveSearch {
+  WaveScratch& scratch;
+
+  template <GridSpace S, Observer O>
+  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+    GridWave<Successors, Heuristic, S, O> wave(context, Heuristic(linked), linked.starts,
+                                               scratch.wave);
     Cost best = std::numeric_limits<Cost>::max();
     Cell end;
-    std::optional<Failure> stopped;
     typename decltype(wave)::Popped popped;
     while (wave.pop(best, popped)) {
       if (linked.near_goal(popped.cell)) {
@@ -62,19 +58,14 @@ Expected<Route, Failure> wave_search(const S& space, const Query& query, WaveScr
           if (best <= wave.f(popped)) continue;
         }
       }
-      if (is_checked(query.budget, wave.expanded())) {
-        if (stopped = exceeded(query.budget, wave.expanded()); stopped) break;
-      }
+      if (auto within = context.check_budget(); !within) return std::move(within).unexpected();
       wave.expand(popped);
     }
-    stats.expanded = wave.expanded();
-    stats.generated = wave.generated();
-    if (stopped) return stopped;
-    if (best == std::numeric_limits<Cost>::max()) return Failure{.code = PlanError::unreachable};
-    trace(grid, wave.labels(), end, cells);
-    return std::nullopt;
-  };
-  return search_grid(space, query, scratch.cells, run);
-}
+    if (best == std::numeric_limits<Cost>::max()) return fail(PlanError::unreachable);
+    scratch.cells.clear();
+    trace(context.space.grid(), wave.labels(), end, scratch.cells);
+    return GridPath{scratch.cells};
+  }
+};
 
 }  // namespace tutavia::detail

@@ -50,6 +50,9 @@ class GoalEstimate {
 
 /// The heuristic of Dijkstra's algorithm.
 struct ZeroHeuristic {
+  ZeroHeuristic() = default;
+  explicit ZeroHeuristic(const LinkedQuery&) {}
+
   /// Buckets narrower than a straight step: no cell is expanded twice.
   static constexpr int bucket_shift = 13;
   Cost operator()(Cell) const { return 0; }
@@ -57,6 +60,11 @@ struct ZeroHeuristic {
 
 /// Octile distance to a cell, plus `offset` (see LinkedQuery); consistent.
 struct OctileHeuristic {
+  OctileHeuristic() = default;
+  OctileHeuristic(Cell to, Cost add) : goal(to), offset(add) {}
+  explicit OctileHeuristic(const LinkedQuery& linked)
+      : OctileHeuristic(linked.goal_cell, linked.goal_offset) {}
+
   /// A step raises f by no more than two diagonals, and so stays within 63 buckets.
   static constexpr int bucket_shift = 10;
   Cell goal{};

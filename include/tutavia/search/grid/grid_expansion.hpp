@@ -12,13 +12,13 @@
 
 #include "tutavia/grid/bitboard/successors.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
-#include "tutavia/plan/statistics.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/grid/bucket_queue.hpp"
 #include "tutavia/search/grid/grid_labels.hpp"
 #include "tutavia/search/grid/grid_query.hpp"
+#include "tutavia/search/grid/search_context.hpp"
 #include "tutavia/search/heuristic.hpp"
-#include "tutavia/world/frame.hpp"
+#include "tutavia/space/concepts.hpp"
 
 /// \file
 /// GridWave: best-first search over the cells of a grid, as fast as it gets.
@@ -39,12 +39,17 @@ concept WaveHeuristic = requires(const H& heuristic, Cell cell) {
   { H::bucket_shift } -> std::convertible_to<int>;
 };
 
+/// Which steps a wave follows from a cell.
+enum class WaveSuccessors {
+  all,
+  canonical,  ///< those of the canonical table, which reach every cell by a path as cheap
+};
+
 /// One wave of expansions from a set of first cells, least f = g + h first. A* is one wave, and so
 /// is Dijkstra's algorithm; bidirectional search is two.
 ///
-/// `Canonical` waves follow only the successors of the canonical table, which reach every cell by a
-/// path as cheap.
-template <bool Canonical, WaveHeuristic Heuristic, Observer O>
+/// It counts in its context what it expands and generates.
+template <WaveSuccessors Successors, WaveHeuristic Heuristic, GridSpace S, Observer O>
 class GridWave {
  public:
   /// A cell taken from the open list; its label is up to date.
@@ -56,16 +61,15 @@ class GridWave {
   };
 
   /// Begins at cells that are reached from outside the grid, each at a cost.
-  GridWave(const OccupancyGrid& grid, MovementRule rule, const Frame& frame,
-           const Heuristic& heuristic, std::span<const CellLink> seeds, GridWaveScratch& scratch,
-           O& observer)
-      : grid_(grid.view()),
-        tables_(Canonical ? canonical_table(rule).data() : &all_successors(rule)),
-        frame_(frame),
+  GridWave(SearchContext<S, O>& context, const Heuristic& heuristic,
+           std::span<const CellLink> seeds, GridWaveScratch& scratch)
+      : context_(context),
+        grid_(context.space.grid().view()),
+        tables_(tables(context.space.movement())),
         heuristic_(heuristic),
-        labels_(scratch.labels.begin(grid.index_count())),
-        open_(scratch.buckets, least_f(heuristic, seeds)),
-        observer_(observer) {
+        labels_(scratch.labels.begin(context.space.grid().index_count())),
+        open_(scratch.buckets, least_f(heuristic, seeds)) {
+    const OccupancyGrid& grid = context.space.grid();
     for (std::size_t step = 0; step < steps.size(); ++step) {
       offsets_[step] = static_cast<std::uint32_t>(grid.index(steps[step]) - grid.index({0, 0}));
     }
@@ -92,10 +96,9 @@ class GridWave {
   }
 
   void expand(const Popped& from) {
-    ++expanded_;
-    if constexpr (!std::same_as<O, NoObserver>) observer_.expanded(frame_.point(from.cell));
-    unsigned left = tables_[Canonical ? from.arrival : 0][grid_.neighbourhood(from.index)];
-    const bool has_parent = !Canonical && from.arrival != no_step;
+    context_.count_expanded(from.cell);
+    unsigned left = tables_[is_canonical ? from.arrival : 0][grid_.neighbourhood(from.index)];
+    const bool has_parent = !is_canonical && from.arrival != no_step;
     if (has_parent) left &= ~(1u << opposite(from.arrival));
     while (left != 0) {
       const auto step = static_cast<unsigned>(std::countr_zero(left));
@@ -108,12 +111,15 @@ class GridWave {
   Cost f(const Popped& popped) const { return popped.g + heuristic_(popped.cell); }
 
   const GridLabels::View& labels() const { return labels_; }
-  std::uint64_t expanded() const { return expanded_; }
-  std::uint64_t generated() const { return generated_; }
-  /// Cells labelled and not yet expanded, about.
-  std::uint64_t open_cells() const { return generated_ - expanded_; }
 
  private:
+  static constexpr bool is_canonical = Successors == WaveSuccessors::canonical;
+
+  /// By the step of arrival; one for all where the wave is not canonical.
+  static const SuccessorTable* tables(MovementRule rule) {
+    return is_canonical ? canonical_table(rule).data() : &all_successors(rule);
+  }
+
   static Cost least_f(const Heuristic& heuristic, std::span<const CellLink> seeds) {
     Cost least = std::numeric_limits<Cost>::max();
     for (const auto& [cell, cost] : seeds) least = std::min(least, cost + heuristic(cell));
@@ -123,21 +129,17 @@ class GridWave {
   void reach(std::uint32_t index, Cell cell, Cost g, std::size_t step) {
     const std::uint64_t label = labels_.words().word(g, step);
     if (!labels_.improve(index, label)) return;
-    ++generated_;
-    if constexpr (!std::same_as<O, NoObserver>) observer_.generated(frame_.point(cell));
+    context_.count_generated(cell);
     if (step != no_step) labels_.prefetch(index + offsets_[step]);  // likely to be next
     open_.push(g + heuristic_(cell), index, LabelWords::note(label));
   }
 
+  SearchContext<S, O>& context_;
   OccupancyGrid::View grid_;
-  const SuccessorTable* tables_;  // by the step of arrival; not canonical: one for all
-  const Frame& frame_;
+  const SuccessorTable* tables_;
   Heuristic heuristic_;
   GridLabels::View labels_;
   BucketQueue<Heuristic::bucket_shift> open_;
-  O& observer_;
-  std::uint64_t expanded_ = 0;
-  std::uint64_t generated_ = 0;
   std::array<std::uint32_t, 8> offsets_{};
 };
 

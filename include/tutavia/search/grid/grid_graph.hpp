@@ -4,12 +4,12 @@
 #include <bit>
 #include <concepts>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "tutavia/search/grid/best_first.hpp"
 #include "tutavia/search/grid/grid_query.hpp"
+#include "tutavia/search/grid/search_grid.hpp"
 
 /// \file
 /// GridGraph: a grid with a query's start and goal joined to it, as a SearchGraph.
@@ -68,15 +68,11 @@ class GridGraph {
     if (const auto cost = linked_.exit_cost(cell)) visit(target(), Prices::scale * *cost);
   }
 
-  /// The path that a finished search left in its labels, from the goal's cell back to the start's.
-  void path(const BestFirstScratch& scratch, std::vector<Cell>& cells) const {
-    for (NodeId node = scratch.find(target())->parent; node != source();
-         node = scratch.find(node)->parent) {
-      append_cell(cells, grid_.cell(node));
-    }
-  }
-
   Cell cell(NodeId node) const { return grid_.cell(node); }
+  double in_metres(Cost cost) const {
+    return tutavia::detail::in_metres(cost, space_.frame().resolution,
+                                      Prices::scale * straight_cost);
+  }
 
  private:
   NodeId id(Cell cell) const { return static_cast<NodeId>(grid_.index(cell)); }
@@ -96,6 +92,47 @@ struct GridGraphScratch {
   std::vector<Cell> cells;
 };
 
+/// A graph of a grid's cells, with two more nodes after them for start and goal: `cell(node)` is
+/// the cell of any other node, `in_metres(cost)` a cost in metres.
+template <class G>
+concept CellGraph = SearchGraph<G> && requires(const G& graph, NodeId node, Cost cost) {
+  { graph.cell(node) } -> std::same_as<Cell>;
+  { graph.in_metres(cost) } -> std::same_as<double>;
+};
+
+/// Best-first search on a graph of cells. `estimate(cell)` estimates the cost from a cell to the
+/// goal.
+template <CellGraph Graph, std::invocable<Cell> Estimate, GridSpace S, Observer O>
+Expected<GridPath, Failure> search_cells(const Graph& graph, const Estimate& estimate,
+                                         GridGraphScratch& scratch, SearchContext<S, O>& context) {
+  const auto heuristic = [&](NodeId node) -> Cost {
+    return node >= graph.source() ? 0 : estimate(graph.cell(node));
+  };
+  auto found = best_first(graph, heuristic, scratch.best_first, context);
+  if (!found) return std::move(found).unexpected();
+  const BestFirstScratch& labels = scratch.best_first;
+  scratch.cells.clear();
+  for (NodeId node = labels.find(graph.target())->parent; node != graph.source();
+       node = labels.find(node)->parent) {
+    append_cell(scratch.cells, graph.cell(node));
+  }
+  return GridPath{scratch.cells, graph.in_metres(labels.find(graph.target())->g)};
+}
+
+/// Best-first search on a GridGraph; see `graph_search`.
+template <StepPrices Prices, std::invocable<const LinkedQuery&> MakeEstimate>
+struct GraphSearch {
+  const Prices& prices;
+  const MakeEstimate& make_estimate;
+  GridGraphScratch& scratch;
+
+  template <GridSpace S, Observer O>
+  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+    const GridGraph<S, Prices> graph(context.space, context.query, linked, prices);
+    return search_cells(graph, make_estimate(linked), scratch, context);
+  }
+};
+
 /// Best-first search on a GridGraph. `make_estimate(linked)` is a function that estimates the price
 /// from a cell to the goal. The route's cost is the price paid, in metres. The straight segment is
 /// tried first where steps have their plain cost.
@@ -104,28 +141,9 @@ template <GridSpace S, StepPrices Prices, std::invocable<const LinkedQuery&> Mak
 Expected<Route, Failure> graph_search(const S& space, const Query& query, GridGraphScratch& scratch,
                                       O& observer, const Prices& prices,
                                       const MakeEstimate& make_estimate) {
-  std::optional<Cost> paid;
-  auto route = search_grid(
-      space, query, scratch.cells,
-      [&](const LinkedQuery& linked, std::vector<Cell>& cells,
-          Statistics& stats) -> std::optional<Failure> {
-        const GridGraph<S, Prices> graph(space, query, linked, prices);
-        const auto estimate = make_estimate(linked);
-        const auto heuristic = [&](NodeId node) -> Cost {
-          return node >= graph.source() ? 0 : estimate(graph.cell(node));
-        };
-        const auto stopped =
-            best_first(graph, heuristic, scratch.best_first, query.budget, observer, stats);
-        if (stopped) return Failure{.code = *stopped};
-        graph.path(scratch.best_first, cells);
-        paid = scratch.best_first.find(graph.target())->g;
-        return std::nullopt;
-      },
-      Prices::scale == 1);
-  if (route && paid) {
-    route->cost = in_metres(*paid, space.frame().resolution, Prices::scale * straight_cost);
-  }
-  return route;
+  return search_grid(space, query, observer,
+                     GraphSearch<Prices, MakeEstimate>{prices, make_estimate, scratch},
+                     Prices::scale == 1 ? StraightSegment::tried_first : StraightSegment::ignored);
 }
 
 }  // namespace tutavia::detail

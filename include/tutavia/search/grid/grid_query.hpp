@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +16,6 @@
 #include "tutavia/core/assert.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/plan/query.hpp"
-#include "tutavia/plan/route.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -126,19 +125,24 @@ inline void append_cell(std::vector<Cell>& cells, Cell cell) {
   cells.push_back(cell);
 }
 
+/// Whether the segment between a start and a goal off the grid is the answer where it is free.
+enum class StraightSegment { tried_first, ignored };
+
 /// Joins start and goal to the grid. Errors: those of `check_query`; `start_blocked` and
 /// `goal_blocked` also where no cell around the point can be reached from it, unless the straight
-/// segment will do (`straight`).
+/// segment will do.
 template <LinkedSpace S>
-Expected<LinkedQuery, Failure> link_query(const S& space, const Query& query, bool tries_straight) {
-  if (auto failure = check_query(space, query)) return Unexpected{std::move(*failure)};
+Expected<LinkedQuery, Failure> link_query(const S& space, const Query& query,
+                                          StraightSegment straight) {
+  if (auto valid = check_query(space, query); !valid) return std::move(valid).unexpected();
   const Frame& frame = space.frame();
   LinkedQuery linked{{space.links(query.start), frame.resolution},
                      {space.links(query.goal), frame.resolution},
                      frame.nearest_cell(query.start),
                      frame.nearest_cell(query.goal)};
   const bool on_grid = linked.starts.is_cell() && linked.goals.is_cell();
-  if (tries_straight && !on_grid && space.segment_free(query.start, query.goal)) {
+  const bool tries_straight = straight == StraightSegment::tried_first && !on_grid;
+  if (tries_straight && space.segment_free(query.start, query.goal)) {
     linked.is_straight = true;
     return linked;
   }
@@ -166,7 +170,7 @@ inline Failure grid_failure(Failure failure, const Statistics& stats, double res
 
 /// The polyline from start to goal through `cells`, which lead from the goal's cell back to the
 /// start's. A cell that coincides with the start or the goal gives way to it.
-inline Curve path_through(const std::vector<Cell>& cells, const LinkedQuery& linked,
+inline Curve path_through(std::span<const Cell> cells, const LinkedQuery& linked,
                           const Query& query, const Frame& frame) {
   auto first = cells.rbegin(), last = cells.rend();
   if (first != last && linked.starts.cost_of(*first) == Cost{0}) ++first;
@@ -181,32 +185,6 @@ inline Curve path_through(const std::vector<Cell>& cells, const LinkedQuery& lin
   for (; first != last; ++first) go(frame.point(*first));
   if (previous != query.goal || path.empty()) go(query.goal);
   return path;
-}
-
-/// What every search on a grid does around its core. Start and goal are linked to the grid; unless
-/// both are cells themselves, the straight segment between them is tried first (if
-/// `straight_first`). `run(linked, cells, stats)` searches the grid: it fills `cells` with a path
-/// from the goal's cell back to the start's in which the straight way from one to the next is free,
-/// or returns what stopped it.
-///
-/// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also where no cell around the
-/// point can be reached from it; `unreachable_at_resolution`; what `run` says.
-template <LinkedSpace S, std::invocable<const LinkedQuery&, std::vector<Cell>&, Statistics&> Run>
-Expected<Route, Failure> search_grid(const S& space, const Query& query, std::vector<Cell>& cells,
-                                     Run run, bool straight_first = true) {
-  const auto linked = link_query(space, query, straight_first);
-  if (!linked) return Unexpected{linked.error()};
-  const Frame& frame = space.frame();
-  Route route;
-  cells.clear();
-  if (!linked->is_straight) {
-    if (std::optional<Failure> failure = run(*linked, cells, route.stats)) {
-      return Unexpected{grid_failure(std::move(*failure), route.stats, frame.resolution)};
-    }
-  }
-  route.curve = path_through(cells, *linked, query, frame);
-  route.cost = route.curve.length();
-  return route;
 }
 
 }  // namespace tutavia::detail

@@ -10,19 +10,20 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "tutavia/core/budget.hpp"
 #include "tutavia/core/parts/compiler.hpp"
 #include "tutavia/grid/bitboard/successors.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/grid/goal_estimate.hpp"
 #include "tutavia/search/grid/grid_query.hpp"
+#include "tutavia/search/grid/jump_concepts.hpp"
 #include "tutavia/search/grid/label_map.hpp"
+#include "tutavia/search/grid/search_context.hpp"
+#include "tutavia/search/grid/search_grid.hpp"
 #include "tutavia/search/grid/wide_bucket_queue.hpp"
 #include "tutavia/search/heuristic.hpp"
 #include "tutavia/search/query_checks.hpp"
@@ -39,103 +40,25 @@ inline Cost euclidean_cost(Cell a, Cell b) {
       std::ceil(static_cast<double>(straight_cost) * std::sqrt(dx * dx + dy * dy)));
 }
 
-/// The open list of a jump point search: JumpQueue, for estimates that are consistent, or JumpHeap.
-///
-/// `begin(least)` empties it, and no key will be less. `push(key, node, note)` puts an entry in.
-/// `advance()` is a lower bound of all keys, less than `width` below that of the entry which
-/// `pop()` then takes out.
-template <class L>
-concept JumpOpenList = std::default_initializable<L> &&
-    requires(L& open, const L& constant, Cost key, std::uint32_t number) {
-  { L::width } -> std::convertible_to<Cost>;
-  open.begin(key);
-  { constant.empty() } -> std::same_as<bool>;
-  open.push(key, number, number);
-  { open.advance() } -> std::same_as<Cost>;
-  { open.pop().node } -> std::convertible_to<std::uint32_t>;
-  { open.pop().note } -> std::convertible_to<std::uint32_t>;
-};
-
-/// What jumps for a JumpSearch.
-///
-/// `straight<Step>(cell)` is the number of steps to the jump point in that direction, or -n where
-/// there are n steps to a wall. `diagonal<Step>(cell, goal, visit)` calls `visit(k, horizontal,
-/// vertical)` for each number k of diagonal steps after which one of the two straight jumps from
-/// there leads to a jump point, or to a goal next to the cell `goal`; the jumps are as `straight`
-/// has them.
-template <class S>
-concept JumpScanner = requires(const S& scanner, Cell cell, void (*visit)(int, int, int)) {
-  { scanner.template straight<0>(cell) } -> std::same_as<int>;
-  { scanner.template straight<2>(cell) } -> std::same_as<int>;
-  { scanner.template straight<4>(cell) } -> std::same_as<int>;
-  { scanner.template straight<6>(cell) } -> std::same_as<int>;
-  scanner.template diagonal<1>(cell, cell, visit);
-  scanner.template diagonal<3>(cell, cell, visit);
-  scanner.template diagonal<5>(cell, cell, visit);
-  scanner.template diagonal<7>(cell, cell, visit);
-};
-
-/// A scanner that reads ahead: `prefetch(cell)` announces a cell that will be jumped from.
-template <class S>
-concept PrefetchingScanner = JumpScanner<S> && requires(const S& scanner, Cell cell) {
-  scanner.prefetch(cell);
-};
-
-/// What guides a JumpSearch: `Open` is the type of its open list, `estimate(cell)` what the way
-/// from a cell to the goal may cost.
-template <class G>
-concept JumpGuide = JumpOpenList<typename G::Open> && requires(const G& guide, Cell cell) {
-  { guide.estimate(cell) } -> std::same_as<Cost>;
-};
-
-/// A guide that looks back: the jump points that a cell's parent sees, by `sees(a, b)`, become the
-/// parent's own.
-template <class G>
-concept LookBackGuide = JumpGuide<G> && requires(const G& guide, Cell cell) {
-  { guide.sees(cell, cell) } -> std::same_as<bool>;
-};
-
-/// Memory of a jump point search.
-template <JumpOpenList Open>
-struct JumpScratchWith {
-  JumpLabels labels;
-  Open open;
-  std::vector<Cell> cells;
-};
-using JumpScratch = JumpScratchWith<JumpQueue>;
-
-/// What guides jump point search proper: octile distance, and no looking back.
-struct OctileGuide {
-  using Open = JumpQueue;
-
-  explicit OctileGuide(const LinkedQuery& linked) : octile{linked.goal_cell, linked.goal_offset} {}
-  Cost estimate(Cell cell) const { return octile(cell); }
-
-  OctileHeuristic octile;
-};
-
 /// A* over the jump points of a grid under `no_cut`.
 ///
 /// Only cells with a forced neighbour enter the open list; diagonal jump points, where a path does
 /// nothing but turn, are passed on the way. Goals are met while jumping and never enter it either.
-template <JumpScanner Scanner, JumpGuide Guide, Observer O>
+template <JumpScanner Scanner, JumpGuide Guide, GridSpace S, Observer O>
 class JumpSearch {
  public:
-  JumpSearch(const OccupancyGrid& grid, const Frame& frame, const Scanner& scanner,
-             const Guide& guide, const LinkedQuery& linked,
-             JumpScratchWith<typename Guide::Open>& scratch, O& observer, Statistics& stats)
-      : grid_(grid.view()),
-        frame_(frame),
+  JumpSearch(SearchContext<S, O>& context, const LinkedQuery& linked, const Scanner& scanner,
+             const Guide& guide, JumpScratchWith<typename Guide::Open>& scratch)
+      : context_(context),
+        grid_(context.space.grid().view()),
         scanner_(scanner),
         guide_(guide),
         table_(canonical_table(MovementRule::no_cut)),
         linked_(linked),
         labels_(scratch.labels),
-        open_(scratch.open),
-        observer_(observer),
-        stats_(stats) {}
+        open_(scratch.open) {}
 
-  std::optional<Failure> run(const Budget& budget) {
+  Expected<void, Failure> run() {
     labels_.begin();
     Cost least = none;
     for (const auto& [cell, cost] : linked_.starts) least = std::min(least, cost + estimate(cell));
@@ -154,19 +77,17 @@ class JumpSearch {
       const Cell cell = grid_.cell(entry.node);
       const Cost g = labels_.words().g(label);
       if (least_key > best_ - Open::width && g + estimate(cell) >= best_) continue;
-      if (is_checked(budget, stats_.expanded, 64)) {
-        if (auto failure = exceeded(budget, stats_.expanded)) return failure;
-      }
+      if (auto within = context_.check_budget(64); !within) return within;
       expand(cell, g, LabelWords::arrival(label));
     }
-    if (best_ == none) return Failure{.code = PlanError::unreachable};
-    return std::nullopt;
+    if (best_ == none) return fail(PlanError::unreachable);
+    return {};
   }
 
   /// The path found, from the goal's cell back to the start's: every cell where it may turn.
   void trace(std::vector<Cell>& cells) {
     Cell to = best_goal_, from = best_parent_;
-    cells.push_back(to);
+    cells.assign(1, to);
     while (true) {
       if (from != to) {
         // A jump runs along its diagonal first.
@@ -194,8 +115,7 @@ class JumpSearch {
   Cost estimate(Cell cell) const { return guide_.estimate(cell); }
 
   void expand(Cell from, Cost g, std::size_t arrival) {
-    ++stats_.expanded;
-    if constexpr (!std::same_as<O, NoObserver>) observer_.expanded(frame_.point(from));
+    context_.count_expanded(from);
     const StepSet successors = table_[arrival][grid_.neighbourhood(grid_.index(from))];
     const auto has = [&](std::size_t step) { return ((successors >> step) & 1u) != 0; };
     if (has(0)) jump<0>(from, scanner_.template straight<0>(from), g, from);
@@ -271,8 +191,7 @@ class JumpSearch {
       if (!labels_.improve(to.index, to.label, from)) continue;
       const Cost f = labels_.words().g(to.label) + estimate(to.cell);
       if (f >= best_) continue;
-      ++stats_.generated;
-      if constexpr (!std::same_as<O, NoObserver>) observer_.generated(frame_.point(to.cell));
+      context_.count_generated(to.cell);
       open_.push(f, to.index, LabelWords::note(to.label));
       if constexpr (PrefetchingScanner<Scanner>) scanner_.prefetch(to.cell);
     }
@@ -306,41 +225,50 @@ class JumpSearch {
     }
   }
 
+  SearchContext<S, O>& context_;
   OccupancyGrid::View grid_;
-  const Frame& frame_;
   const Scanner& scanner_;
   const Guide& guide_;
   const CanonicalTable& table_;
   const LinkedQuery& linked_;
   JumpLabels& labels_;
   Open& open_;
-  O& observer_;
-  Statistics& stats_;
   Cost best_ = none;
   Cell best_goal_{}, best_parent_{};
   std::array<Reached, 32> reached_;
   std::size_t noted_ = 0;
 };
 
-/// What all variants do around the search. `make_guide(linked)` makes the guide, `finish(cells)`
-/// may change the path found.
+/// A JumpSearch and what comes before and after it; see `jump_search`.
+template <JumpScanner Scanner, std::invocable<const LinkedQuery&> MakeGuide, JumpOpenList Open,
+          std::invocable<std::vector<Cell>&> Finish>
+struct GuidedJumpSearch {
+  const Scanner& scanner;
+  const MakeGuide& make_guide;
+  JumpScratchWith<Open>& scratch;
+  const Finish& finish;
+
+  template <GridSpace S, Observer O>
+  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+    const auto guide = make_guide(linked);
+    JumpSearch search(context, linked, scanner, guide, scratch);
+    if (auto found = search.run(); !found) return std::move(found).unexpected();
+    search.trace(scratch.cells);
+    finish(scratch.cells);
+    return GridPath{scratch.cells};
+  }
+};
+
+/// Jump point search of any kind. `make_guide(linked)` makes the guide, `finish(cells)` may change
+/// the path found.
 template <GridSpace S, JumpScanner Scanner, std::invocable<const LinkedQuery&> MakeGuide,
           JumpOpenList Open, Observer O, std::invocable<std::vector<Cell>&> Finish>
 Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
                                      const MakeGuide& make_guide, JumpScratchWith<Open>& scratch,
                                      O& observer, const Finish& finish) {
-  return search_grid(space, query, scratch.cells,
-                     [&](const LinkedQuery& linked, std::vector<Cell>& cells,
-                         Statistics& stats) -> std::optional<Failure> {
-                       const auto guide = make_guide(linked);
-                       JumpSearch<Scanner, std::decay_t<decltype(guide)>, O> search(
-                           space.grid(), space.frame(), scanner, guide, linked, scratch, observer,
-                           stats);
-                       if (auto failure = search.run(query.budget)) return failure;
-                       search.trace(cells);
-                       finish(cells);
-                       return std::nullopt;
-                     });
+  const GuidedJumpSearch<Scanner, MakeGuide, Open, Finish> search{scanner, make_guide, scratch,
+                                                                  finish};
+  return search_grid(space, query, observer, search);
 }
 
 /// Jump point search proper.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "tutavia/geometry/predicates.hpp"
@@ -37,16 +36,14 @@ class IntervalSearch {
         stats_(stats),
         expansion_(space, pieces, query, scratch, observer, stats) {}
 
-  std::optional<Failure> run() {
+  Expected<void, Failure> run() {
     expansion_.start();
     for (const Node& node : scratch_.successors) scratch_.push(node);
     while (!scratch_.empty() && scratch_.advance() < expansion_.best()) {
       Node node = scratch_.pop();
       while (true) {
         if (expansion_.is_stale(node)) break;
-        if (is_checked(query_.budget, stats_.expanded)) {
-          if (auto failure = exceeded(query_.budget, stats_.expanded)) return failure;
-        }
+        if (auto within = check_budget(query_.budget, stats_.expanded, 256); !within) return within;
         scratch_.successors.clear();
         expansion_.expand(node);
         const auto& next = scratch_.successors;
@@ -60,8 +57,8 @@ class IntervalSearch {
         break;
       }
     }
-    if (expansion_.best() == Expansion::infinity) return Failure{.code = PlanError::unreachable};
-    return std::nullopt;
+    if (expansion_.best() == Expansion::infinity) return fail(PlanError::unreachable);
+    return {};
   }
 
   /// The path found, straight runs whole.

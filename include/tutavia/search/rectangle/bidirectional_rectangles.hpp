@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -15,9 +14,10 @@
 #include "tutavia/plan/query.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/grid/grid_query.hpp"
-#include "tutavia/search/grid/open_heap.hpp"
+#include "tutavia/search/grid/search_context.hpp"
+#include "tutavia/search/grid/search_grid.hpp"
 #include "tutavia/search/query_checks.hpp"
-#include "tutavia/search/rectangle/cell_set.hpp"
+#include "tutavia/search/rectangle/exit.hpp"
 #include "tutavia/search/rectangle/free_rectangle.hpp"
 #include "tutavia/search/rectangle/portal_chain.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -26,72 +26,6 @@
 /// Two waves of free rectangles that meet: the search of SbReaStar and ImprovedReaStar.
 
 namespace tutavia::detail {
-
-/// Cells on the edge of a free rectangle whose neighbours beyond it are free: a way out of it. The
-/// next rectangle grows from these cells over the edge, so that the two share them.
-struct Passage {
-  CellInterval cells;         ///< their side leads out; a root is a single cell
-  std::uint32_t parent = 0;   ///< the passage that the rectangle grew from; a root's is itself
-  CellRectangle rectangle{};  ///< that grew from this one, if it was expanded
-  double g = 0;               ///< what the evaluation keeps
-  std::uint32_t costs = 0;    ///< the same
-  std::uint64_t asked = 0;    ///< in which expansion it was considered last
-};
-
-/// What passages cost to one wave of rectangles. It keeps memory of its own.
-///
-/// - `begin(goal, offset, grid)`: a query begins; the goal is where the wave goes to
-/// - `root(passage, cost)`, `enter(passage, parent)`: the key of a new passage
-/// - `place_before(passage, cell)`: where the way to a cell of its rectangle passes it
-/// - `meet(passage, other evaluation, other's passage, joint)`: the length and the cell of the best
-///   meeting in the cells `joint` of the other's passage, which lie in the rectangle that grew from
-///   `passage`
-template <class E>
-concept PassageEvaluation = std::default_initializable<E> &&
-    requires(E& evaluation, const E& other, Passage& passage, const Passage& from,
-             const CellInterval& cells, Cell cell, Cost cost, const OccupancyGrid& grid) {
-  evaluation.begin(cell, cost, grid);
-  { evaluation.root(passage, cost) } -> std::same_as<double>;
-  { evaluation.enter(passage, from) } -> std::same_as<double>;
-  { evaluation.place_before(from, cell) } -> std::same_as<int>;
-  { evaluation.meet(from, other, from, cells) } -> std::same_as<std::pair<double, Cell>>;
-};
-
-/// An evaluation that looks at cells from the passage expanded last: `expand(passage)` says that a
-/// rectangle grows from it, or is looked at again; `reach(edge)` that its side `edge` is left next.
-template <class E>
-concept ReachEvaluation = PassageEvaluation<E> &&
-    requires(E& evaluation, const Passage& from, const CellInterval& edge) {
-  evaluation.expand(from);
-  evaluation.reach(edge);
-};
-
-/// What a wave of rectangles keeps between queries: memory.
-template <PassageEvaluation Evaluation>
-struct RectangleWave {
-  struct Entry {
-    double key;
-    std::uint32_t passage;
-    friend bool operator<(const Entry& a, const Entry& b) {  // worse < better
-      return a.key != b.key ? a.key > b.key : a.passage > b.passage;
-    }
-  };
-
-  std::vector<Passage> passages;
-  std::vector<std::uint32_t> expanded;
-  OpenList<Entry> open;
-  CellSet marked, covered;             // cells of passages, cells of rectangles
-  std::vector<std::uint32_t> markers;  // of the cells that are marked: a passage that holds it
-  Evaluation evaluation;
-};
-
-template <PassageEvaluation Evaluation>
-struct RectangleWavesScratch {
-  std::array<RectangleWave<Evaluation>, 2> waves;
-  std::vector<CellRun> exits;
-  std::vector<Rail> rails;
-  std::vector<Cell> cells;
-};
 
 /// Rectangles grow from the start and from the goal by turns, in each wave from the passage with
 /// the smallest key, until one holds cells of a passage of the other wave (or, if the search is to
@@ -104,34 +38,29 @@ class RectangleWaves {
  public:
   using Wave = RectangleWave<Evaluation>;
 
-  RectangleWaves(const S& space, const Query& query, const LinkedQuery& linked,
-                 RectangleWavesScratch<Evaluation>& scratch, O& observer, Statistics& stats)
-      : space_(space),
-        free_(space),
-        query_(query),
+  RectangleWaves(SearchContext<S, O>& context, const LinkedQuery& linked,
+                 RectangleWavesScratch<Evaluation>& scratch)
+      : context_(context),
+        space_(context.space),
+        free_(space_),
         linked_(linked),
-        scratch_(scratch),
-        observer_(observer),
-        stats_(stats) {}
+        scratch_(scratch) {}
 
-  std::optional<Failure> run(bool continue_after_contact) {
+  Expected<void, Failure> run(bool continue_after_contact) {
     begin(scratch_.waves[0], linked_);
     begin(scratch_.waves[1], linked_.reversed());
     for (std::size_t turn = 0; continue_after_contact || !met(); turn = 1 - turn) {
       auto next = pop(scratch_.waves[turn]);
       if (!next) {
-        if (!met()) return Failure{.code = PlanError::unreachable};
+        if (!met()) return fail(PlanError::unreachable);
         turn = 1 - turn;
         next = pop(scratch_.waves[turn]);
         if (!next) break;
       }
-      if (is_checked(query_.budget, stats_.expanded, 64)) {
-        if (auto failure = exceeded(query_.budget, stats_.expanded)) return failure;
-      }
-      ++stats_.expanded;
+      if (auto within = context_.check_budget(64); !within) return within;
       expand(turn, *next);
     }
-    return std::nullopt;
+    return {};
   }
 
   /// The rails of the path that was found, from start to goal, the first and the last a root;
@@ -176,7 +105,6 @@ class RectangleWaves {
   }
 
   bool met() const { return best_.length < std::numeric_limits<double>::max(); }
-  Point place(Cell cell) const { return space_.frame().point(cell); }
 
   void begin(Wave& wave, const LinkedQuery& there) {
     wave.passages.clear();
@@ -206,8 +134,7 @@ class RectangleWaves {
     }
     wave.open.push({key, next(wave)});
     wave.passages.push_back(passage);
-    ++stats_.generated;
-    observer_.generated(place(cells.middle()));
+    context_.count_generated(cells.middle());
   }
 
   static bool is_root(const Wave& wave, std::uint32_t passage) {
@@ -230,37 +157,34 @@ class RectangleWaves {
     Wave& other = scratch_.waves[1 - turn];
     const CellInterval cells = wave.passages[from].cells;
     const bool had_met = met();
-    observer_.expanded(place(cells.middle()));
+    context_.count_expanded(cells.middle());
     const bool root = is_root(wave, from);
     const CellRectangle r = root ? free_.grow_around(cells.cell(cells.first)) : free_.grow(cells);
-    tell_of(observer_, space_, cells, r);
+    tell_of(context_.observer, space_, cells, r);
     wave.passages[from].rectangle = r;
     wave.expanded.push_back(from);
     wave.covered.add(r);
     if constexpr (looks_from_cells) wave.evaluation.expand(wave.passages[from]);
+    const std::uint64_t now = context_.statistics.expanded;
     other.marked.for_each_in(r, [&](Cell cell) {
       const std::uint32_t passage = other.markers[space_.grid().index(cell)];
-      if (std::exchange(other.passages[passage].asked, stats_.expanded) != stats_.expanded) {
+      if (std::exchange(other.passages[passage].asked, now) != now) {
         consider(turn, from, passage);
       }
     });
     const std::uint32_t old = next(wave);
     for (const int side : {1, -1}) {
-      for (const int axis : {cells.axis, 1 - cells.axis}) {
-        const CellInterval edge = r.edge(axis, side);
-        const bool entered = !root && axis == cells.axis && side == -cells.side;
-        if (!entered) {
-          leave(wave, from, edge);
-        } else {  // beside the passage that it grew from
-          CellInterval left = edge, right = edge;
-          left.last = cells.first - 1;
-          right.first = cells.last + 1;
-          leave(wave, from, left);
-          leave(wave, from, right);
-        }
-      }
+      for (const int axis : {cells.axis, 1 - cells.axis}) leave(wave, from, r.edge(axis, side));
     }
-    for (std::uint32_t p = old; p < wave.passages.size() && !had_met; ++p) {
+    if (!had_met) look_for_meetings(turn, old);
+  }
+
+  /// Considers the passages of a wave from `first` on that have cells in rectangles of the other
+  /// wave.
+  void look_for_meetings(std::size_t turn, std::uint32_t first) {
+    const Wave& wave = scratch_.waves[turn];
+    Wave& other = scratch_.waves[1 - turn];
+    for (std::uint32_t p = first; p < wave.passages.size(); ++p) {
       if (!other.covered.meets(wave.passages[p].cells)) continue;
       for (const std::uint32_t entry : other.expanded) {
         const Passage& grown = other.passages[entry];
@@ -271,8 +195,24 @@ class RectangleWaves {
     }
   }
 
-  /// Adds the passages out of a rectangle over an edge of it.
+  /// Leaves a rectangle by a side of it; where the passage lies on that side, beside the passage.
   void leave(Wave& wave, std::uint32_t from, const CellInterval& edge) {
+    const CellInterval& cells = wave.passages[from].cells;
+    const bool is_entered =
+        !is_root(wave, from) && edge.axis == cells.axis && edge.side == -cells.side;
+    if (!is_entered) {
+      add_passages(wave, from, edge);
+      return;
+    }
+    CellInterval left = edge, right = edge;
+    left.last = cells.first - 1;
+    right.first = cells.last + 1;
+    add_passages(wave, from, left);
+    add_passages(wave, from, right);
+  }
+
+  /// Adds the passages out of a rectangle over an edge of it.
+  void add_passages(Wave& wave, std::uint32_t from, const CellInterval& edge) {
     scratch_.exits.clear();
     const CellInterval beyond = edge.beyond();
     free_.append_free_runs(edge.axis, beyond.line, edge.run(), scratch_.exits);
@@ -304,14 +244,33 @@ class RectangleWaves {
     if (length < best_.length) best_ = {length, cell, joint, turn, entry, passage};
   }
 
+  SearchContext<S, O>& context_;
   const S& space_;
   FreeRectangles free_;
-  const Query& query_;
   const LinkedQuery& linked_;
   RectangleWavesScratch<Evaluation>& scratch_;
-  O& observer_;
-  Statistics& stats_;
   Meeting best_;
+};
+
+/// RectangleWaves for search_grid; see `rectangle_waves`.
+template <PassageEvaluation Evaluation,
+          std::invocable<std::vector<Rail>&, std::size_t, std::vector<Cell>&> LayPath>
+struct RectangleWavesSearch {
+  RectangleWavesScratch<Evaluation>& scratch;
+  bool continue_after_contact;
+  const LayPath& lay_path;
+
+  template <ColumnSpace S, Observer O>
+  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+    RectangleWaves<S, Evaluation, O> waves(context, linked, scratch);
+    auto found = waves.run(continue_after_contact);
+    if (!found) return std::move(found).unexpected();
+    std::size_t joint = 0;
+    waves.follow(scratch.rails, joint);
+    scratch.cells.clear();
+    lay_path(scratch.rails, joint, scratch.cells);
+    return GridPath{scratch.cells};
+  }
 };
 
 /// Searches by waves of rectangles; `lay_path(rails, joint, cells)` makes of the rails the cells of
@@ -321,19 +280,10 @@ template <PassageEvaluation Evaluation, ColumnSpace S,
 Expected<Route, Failure> rectangle_waves(const S& space, const Query& query,
                                          RectangleWavesScratch<Evaluation>& scratch, O& observer,
                                          std::string_view name, bool continue_after_contact,
-                                         LayPath lay_path) {
-  if (auto failure = check_no_cut(space, name)) return Unexpected{std::move(*failure)};
-  return search_grid(space, query, scratch.cells,
-                     [&](const LinkedQuery& linked, std::vector<Cell>& cells,
-                         Statistics& stats) -> std::optional<Failure> {
-                       RectangleWaves<S, Evaluation, O> waves(space, query, linked, scratch,
-                                                              observer, stats);
-                       if (auto failure = waves.run(continue_after_contact)) return failure;
-                       std::size_t joint = 0;
-                       waves.follow(scratch.rails, joint);
-                       lay_path(scratch.rails, joint, cells);
-                       return std::nullopt;
-                     });
+                                         const LayPath& lay_path) {
+  if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
+  const RectangleWavesSearch<Evaluation, LayPath> search{scratch, continue_after_contact, lay_path};
+  return search_grid(space, query, observer, search);
 }
 
 }  // namespace tutavia::detail

@@ -82,28 +82,7 @@ class OctileReach {
     const int begin = std::max(hand > 0 ? side.first - origin : origin - side.last, 0);
     const int end = hand > 0 ? side.last - origin : origin - side.first;
     if (begin > end) return;
-    slope_.resize(n);  // costs less `aslant` a step
-    for (std::size_t i = 0; i < n; ++i) {
-      slope_[i] = costs_[hand > 0 ? i : n - 1 - i] - aslant * static_cast<Cost>(i);
-    }
-    // Least values over d + 1 neighbours: of the part of a block up to each, and from each on.
-    up_to_ = slope_;
-    for (std::size_t i = 1, in_block = 1; i < n; ++i, ++in_block) {
-      if (in_block > d) {
-        in_block = 0;
-      } else {
-        lower(up_to_[i], up_to_[i - 1]);
-      }
-    }
-    from_on_ = slope_;
-    for (std::size_t i = n - 1, in_block = (n - 1) % (d + 1); i-- > 0;) {
-      if (in_block == 0) {
-        in_block = d;
-      } else {
-        lower(from_on_[i], from_on_[i + 1]);
-        --in_block;
-      }
-    }
+    find_least(hand, d);
     const Cost across = straight_cost * depth;
     int x = begin;
     const auto at = [&]() -> Cost& {
@@ -128,6 +107,33 @@ class OctileReach {
     const Cost at_end = costs_[hand > 0 ? n - 1 : 0];
     for (; x <= end; ++x) {
       lower(at(), at_end + straight_cost * (x - (count - 1)) + aslant * depth);
+    }
+  }
+
+  /// Finds the least costs, less `aslant` a step, of the part of a block of d + 1 neighbours up to
+  /// each cell of the interval, and of the part from each on.
+  void find_least(int hand, std::size_t d) {
+    const std::size_t n = size();
+    slope_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      slope_[i] = costs_[hand > 0 ? i : n - 1 - i] - aslant * static_cast<Cost>(i);
+    }
+    up_to_ = slope_;
+    for (std::size_t i = 1, in_block = 1; i < n; ++i, ++in_block) {
+      if (in_block > d) {
+        in_block = 0;
+      } else {
+        lower(up_to_[i], up_to_[i - 1]);
+      }
+    }
+    from_on_ = slope_;
+    for (std::size_t i = n - 1, in_block = (n - 1) % (d + 1); i-- > 0;) {
+      if (in_block == 0) {
+        in_block = d;
+      } else {
+        lower(from_on_[i], from_on_[i + 1]);
+        --in_block;
+      }
     }
   }
 
@@ -158,7 +164,7 @@ class OctileReach {
   int first_ = 0;                              // of the side reached last
   std::vector<Cost> costs_;                    // along the interval
   std::vector<Cost> reached_;                  // along the side
-  std::vector<Cost> slope_, up_to_, from_on_;  // see reach_line
+  std::vector<Cost> slope_, up_to_, from_on_;  // see find_least
 };
 
 }  // namespace tutavia::detail

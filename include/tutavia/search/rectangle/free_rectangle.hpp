@@ -118,7 +118,11 @@ class FreeRectangles {
         const CellInterval edge = r.edge(axis, side);
         if (!is_free(axis, edge.line + side, edge.run())) continue;
         CellRun& across = r.runs[static_cast<std::size_t>(1 - axis)];
-        (side > 0 ? across.last : across.first) += side;
+        if (side > 0) {
+          ++across.last;
+        } else {
+          --across.first;
+        }
         grows = true;
       }
     }

@@ -100,7 +100,10 @@ inline void append_corners(const std::vector<Rail>& rails, std::vector<Cell>& ce
       return true;
     };
     std::size_t to = from - 1, step = 1;
-    while (step <= to && leads_to(to - step)) to -= step, step *= 2;
+    while (step <= to && leads_to(to - step)) {
+      to -= step;
+      step *= 2;
+    }
     for (; step > 0; step /= 2) {
       if (step <= to && leads_to(to - step)) to -= step;
     }

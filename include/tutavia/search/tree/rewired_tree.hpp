@@ -56,10 +56,9 @@ struct NeighbourRule {
     return std::min(factor * 2 * std::sqrt(1.5 * area / std::numbers::pi * share), step);
   }
 
-  std::optional<Failure> check() const {
-    if (factor > 0 && std::isfinite(factor)) return std::nullopt;
-    return Failure{.code = PlanError::invalid_option,
-                   .detail = "rewire_factor must be positive and finite"};
+  Expected<void, Failure> check() const {
+    if (factor > 0 && std::isfinite(factor)) return {};
+    return fail(PlanError::invalid_option, "rewire_factor must be positive and finite");
   }
 
  private:
@@ -201,10 +200,8 @@ class OptimalTree {
 
 /// The options of a search with an `OptimalTree`; what they are, see RrtStar.
 template <class T>
-concept OptimalTreeOptions = requires(const T& options) {
-  { options.step } -> std::same_as<const std::optional<double>&>;
+concept OptimalTreeOptions = TreeOptions<T> && requires(const T& options) {
   { options.goal_bias } -> std::same_as<const double&>;
-  { options.iterations } -> std::same_as<const std::uint32_t&>;
   { options.neighbours } -> std::same_as<const Neighbours&>;
   { options.rewire_factor } -> std::same_as<const double&>;
 };
@@ -225,8 +222,8 @@ Expected<Route, Failure> grow_route(OptimalTree<Price, S, O>& tree, TreeGrowth<S
                                     const Options& options, const Sample& sample) {
   Failure end{.code = PlanError::budget_exhausted};
   for (std::uint32_t i = 0; i < options.iterations; ++i) {
-    if (auto failure = growth.next_iteration()) {
-      end = std::move(*failure);
+    if (auto next = growth.next_iteration(); !next) {
+      end = std::move(next.error());
       break;
     }
     tree.grow(tree.has_path() ? sample(tree.cost()) : growth.sample(options.goal_bias));
@@ -241,14 +238,13 @@ Expected<Route, Failure> grow_route(OptimalTree<Price, S, O>& tree, TreeGrowth<S
   return route;
 }
 
-/// What is wrong with the options of a search with an `OptimalTree`, or with the query.
+/// Checks the options of a search with an `OptimalTree`, and the query.
 template <OptimalTreeOptions Options, FreeSpace S>
-std::optional<Failure> check_optimal_growth(const Options& options, const S& space,
-                                            const Query& query) {
-  if (auto failure = NeighbourRule{options.neighbours, options.rewire_factor}.check()) {
-    return failure;
-  }
-  return check_growth(space, query, options.step, options.goal_bias, options.iterations);
+Expected<void, Failure> check_optimal_growth(const Options& options, const S& space,
+                                             const Query& query) {
+  const NeighbourRule rule{options.neighbours, options.rewire_factor};
+  if (auto valid = rule.check(); !valid) return valid;
+  return check_growth(options, space, query);
 }
 
 /// A search for the shortest path. From the first path on the samples are `sample(growth, cost of
@@ -258,8 +254,8 @@ template <OptimalTreeOptions Options, FreeSpace S, Observer O,
 Expected<Route, Failure> search_with_optimal_tree(const Options& options, const S& space,
                                                   const Query& query, OptimalTreeScratch& scratch,
                                                   O& observer, const Sample& sample) {
-  if (auto failure = check_optimal_growth(options, space, query)) {
-    return Unexpected{std::move(*failure)};
+  if (auto valid = check_optimal_growth(options, space, query); !valid) {
+    return std::move(valid).unexpected();
   }
   TreeGrowth growth(space, query, options.step, observer);
   const LengthCost length;

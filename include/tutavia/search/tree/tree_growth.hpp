@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "tutavia/plan/route.hpp"
 #include "tutavia/plan/statistics.hpp"
 #include "tutavia/search/concepts.hpp"
+#include "tutavia/search/grid/search_context.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/tree/search_tree.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -41,22 +43,31 @@ inline double default_step(const Box& bounds) {
   return side > 0 ? side / 25 : 1;
 }
 
-/// What is wrong with options that all trees have, or with the query.
-template <FreeSpace S>
-std::optional<Failure> check_growth(const S& space, const Query& query,
-                                    const std::optional<double>& step, double goal_bias,
-                                    std::uint32_t iterations) {
-  const auto invalid = [](std::string detail) {
-    return Failure{.code = PlanError::invalid_option, .detail = std::move(detail)};
-  };
+/// The options of a search that grows trees; what they are, see Rrt. It may have a `goal_bias`.
+template <class T>
+concept TreeOptions = requires(const T& options) {
+  { options.step } -> std::same_as<const std::optional<double>&>;
+  { options.iterations } -> std::same_as<const std::uint32_t&>;
+};
+
+/// Checks the options that all trees have, and the query.
+template <TreeOptions Options, FreeSpace S>
+Expected<void, Failure> check_growth(const Options& options, const S& space, const Query& query) {
   const Box& bounds = space.bounds();
   const double most = distance(bounds.min, bounds.max);
-  if (step && !(*step > 0 && *step <= most)) {
-    return invalid("step must be positive and at most " + std::to_string(most) +
-                   " m, the diagonal of the bounds");
+  if (options.step && !(*options.step > 0 && *options.step <= most)) {
+    return fail(PlanError::invalid_option, "step must be positive and at most " +
+                                               std::to_string(most) +
+                                               " m, the diagonal of the bounds");
   }
-  if (!(goal_bias >= 0 && goal_bias <= 1)) return invalid("goal_bias must lie in [0, 1]");
-  if (iterations == 0) return invalid("iterations must be positive");
+  if constexpr (requires { options.goal_bias; }) {
+    if (!(options.goal_bias >= 0 && options.goal_bias <= 1)) {
+      return fail(PlanError::invalid_option, "goal_bias must lie in [0, 1]");
+    }
+  }
+  if (options.iterations == 0) {
+    return fail(PlanError::invalid_option, "iterations must be positive");
+  }
   return check_query(space, query);
 }
 
@@ -83,30 +94,24 @@ template <FreeSpace S, Observer O>
 class TreeGrowth {
  public:
   TreeGrowth(const S& space, const Query& query, const std::optional<double>& step, O& observer,
-             const Statistics& stats = {})
-      : space_(space),
-        query_(query),
+             const Statistics& before = {})
+      : context_{space, query, observer, before},
         bounds_(space.bounds()),
         step_(step ? *step : default_step(bounds_)),
-        random_(query.seed),
-        observer_(observer),
-        stats_(stats) {}
+        random_(query.seed) {}
 
-  const S& space() const { return space_; }
-  const Query& query() const { return query_; }
+  const S& space() const { return context_.space; }
+  const Query& query() const { return context_.query; }
   const Box& bounds() const { return bounds_; }
   double step() const { return step_; }
   Random& random() { return random_; }
-  const Statistics& stats() const { return stats_; }
+  const Statistics& stats() const { return context_.statistics; }
 
-  /// To be asked before every iteration: what ends the search, if it is to end. Counts the
-  /// iteration.
-  std::optional<Failure> next_iteration() {
-    if (is_checked(query_.budget, stats_.expanded)) {
-      if (auto failure = exceeded(query_.budget, stats_.expanded)) return failure;
-    }
-    ++stats_.expanded;
-    return std::nullopt;
+  /// Begins the next iteration and counts it. Errors: what the budget says.
+  Expected<void, Failure> next_iteration() {
+    if (auto within = context_.check_budget(); !within) return within;
+    ++context_.statistics.expanded;
+    return {};
   }
 
   /// Uniform over the bounds; blocked points, too: they are only directions to grow in.
@@ -115,45 +120,41 @@ class TreeGrowth {
     const double y = random_.uniform(bounds_.min.y(), bounds_.max.y());
     return {x, y};
   }
-  Point sample(double goal_bias) { return random_.uniform() < goal_bias ? query_.goal : sample(); }
+  Point sample(double goal_bias) { return random_.uniform() < goal_bias ? query().goal : sample(); }
 
   /// A step from a node towards a target, if that leads to another point and is free.
   std::optional<Point> step_towards(const SearchTree& tree, SearchTree::Node from,
                                     const Point& target) {
     const Point start = tree.position(from), end = steered(start, target, step_);
-    if (end == start || !space_.segment_free(start, end)) return std::nullopt;
+    if (end == start || !space().segment_free(start, end)) return std::nullopt;
     return end;
   }
 
   SearchTree::Node add(SearchTree& tree, SearchTree::Node parent, const Point& p, double cost) {
-    ++stats_.generated;
-    observer_.expanded(tree.position(parent));
-    observer_.generated(p);
+    context_.observer.expanded(tree.position(parent));
+    context_.count_generated(p);
     return tree.add(parent, p, cost);
   }
 
   /// Why there is no path, from what ended the search; how near the tree came is told.
   Failure failure(Failure failure, const SearchTree& tree) const {
-    const Point nearest = tree.position(tree.points().nearest(query_.goal));
-    failure.detail = "no path after " + std::to_string(stats_.expanded) +
+    const Point nearest = tree.position(tree.points().nearest(query().goal));
+    failure.detail = "no path after " + std::to_string(stats().expanded) +
                      " iterations; the tree comes within " +
-                     std::to_string(distance(nearest, query_.goal)) + " m of the goal";
-    failure.stats = stats_;
+                     std::to_string(distance(nearest, query().goal)) + " m of the goal";
+    failure.stats = stats();
     return failure;
   }
 
   void tell_improved(const std::vector<Point>& way, double cost) {
-    if constexpr (AnytimeObserver<O>) observer_.improved(Curve::polyline(way), cost);
+    if constexpr (AnytimeObserver<O>) context_.observer.improved(Curve::polyline(way), cost);
   }
 
  private:
-  const S& space_;
-  const Query& query_;
+  SearchContext<S, O> context_;
   Box bounds_;
   double step_;
   Random random_;
-  O& observer_;
-  Statistics stats_;
 };
 
 }  // namespace tutavia::detail

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "tutavia/grid/cell.hpp"
+#include "tutavia/plan/query.hpp"
+#include "tutavia/plan/route.hpp"
+#include "tutavia/search/concepts.hpp"
+#include "tutavia/search/grid/grid_query.hpp"
+#include "tutavia/search/grid/search_context.hpp"
+#include "tutavia/search/query_checks.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// search_grid: what every search on a grid does around its core.
+
+namespace tutavia::detail {
+
+/// A path that a search has found on a grid.
+struct GridPath {
+  /// From the goal's cell back to the start's, in memory of the search. The straight line from each
+  /// to the next is free.
+  std::span<const Cell> cells{};
+  std::optional<double> cost{};  ///< what the search minimised; none: the length of the route
+};
+
+/// The core of a search on a grid: `run(linked, context)` finds a path between the cells that start
+/// and goal are linked to.
+template <class G, class S, class O>
+concept GridSearch = requires(const G& search, const LinkedQuery& linked,
+                              SearchContext<S, O>& context) {
+  { search.run(linked, context) } -> std::same_as<Expected<GridPath, Failure>>;
+};
+
+/// Searches a grid. Start and goal are linked to it; unless both are cells themselves, the straight
+/// segment between them may be tried first.
+///
+/// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also where no cell around the
+/// point can be reached from it; `unreachable_at_resolution`; what the search says.
+template <LinkedSpace S, Observer O, GridSearch<S, O> Search>
+Expected<Route, Failure> search_grid(const S& space, const Query& query, O& observer,
+                                     const Search& search,
+                                     StraightSegment straight = StraightSegment::tried_first) {
+  auto linked = link_query(space, query, straight);
+  if (!linked) return std::move(linked).unexpected();
+  const Frame& frame = space.frame();
+  SearchContext<S, O> context{space, query, observer};
+  GridPath path;
+  if (!linked->is_straight) {
+    auto found = search.run(*linked, context);
+    if (!found) {
+      return Unexpected{
+          grid_failure(std::move(found.error()), context.statistics, frame.resolution)};
+    }
+    path = *found;
+  }
+  Route route{.curve = path_through(path.cells, *linked, query, frame),
+              .stats = context.statistics};
+  route.cost = path.cost.value_or(route.curve.length());
+  return route;
+}
+
+}  // namespace tutavia::detail

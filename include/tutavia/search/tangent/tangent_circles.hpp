@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "tutavia/geometry/box.hpp"
+#include "tutavia/geometry/point.hpp"
+#include "tutavia/geometry/segment.hpp"
+#include "tutavia/geometry/tangent/tangent_line.hpp"
+#include "tutavia/space/concepts.hpp"
+#include "tutavia/space/index/passing_radius.hpp"
+
+/// \file
+/// TangentCircles: the circles that shortest paths of a disc turn around.
+
+namespace tutavia::detail {
+
+/// The circles of a space, in an order that depends on their places alone: of the safety radius
+/// around obstacle vertices, larger ones around discs. Nodes are as in TangentMap.
+class TangentCircles {
+ public:
+  using Node = std::uint32_t;
+  static constexpr Node none = std::numeric_limits<Node>::max();
+
+  struct Circle {
+    Point center;
+    double radius;
+    std::uint32_t first_edge, last_edge;  ///< the directions of the vertex's edges
+    bool operator==(const Circle&) const = default;
+  };
+
+  /// O(n log n) for n obstacle edges.
+  template <FeatureSpace S>
+  explicit TangentCircles(const S& space);
+
+  std::size_t size() const { return circles_.size(); }
+  const Circle& operator[](std::size_t i) const { return circles_[i]; }
+  Node nodes() const { return static_cast<Node>(2 * circles_.size()); }
+  SidedCircle of(Node node) const {
+    const Circle& circle = circles_[node / 2];
+    return {circle.center, circle.radius, side(node)};
+  }
+
+  /// Whether a path may touch a node's circle while it runs in a direction; see TangentMap.
+  bool touches(Node node, const Point& direction) const;
+  /// Calls `visit(node)` for the nodes to which there may be a way; see TangentMap.
+  template <class Visit>
+  void for_each_candidate(const SidedCircle& at, Node from, Visit visit) const;
+  /// For each circle the index of the one in the same place among others, `none` where it has none.
+  std::vector<Node> places_in(const TangentCircles& others) const;
+
+  bool operator==(const TangentCircles&) const = default;
+  std::size_t memory() const {
+    return circles_.size() * sizeof(Circle) + edges_.size() * sizeof(Point);
+  }
+
+ private:
+  static int side(Node node) { return node % 2 == 0 ? 1 : -1; }
+  bool may_touch(const Circle& circle, int side, const Point& between, double radii) const;
+
+  std::vector<Circle> circles_;
+  std::vector<Point> edges_;
+};
+
+template <FeatureSpace S>
+TangentCircles::TangentCircles(const S& space) {
+  struct End {
+    Point vertex, direction;
+    double radius;
+  };
+  std::vector<End> ends;
+  space.for_each_feature(space.bounds().inflated(2 * space.safety_radius()),
+                         [&](const Segment& core, double radius) {
+                           const double grown = passing_radius(space, radius);
+                           const Point d = core.b - core.a;
+                           const double length = d.norm();
+                           const Point unit = length > 0 ? Point(d / length) : d;
+                           ends.push_back({core.a, unit, grown});
+                           if (length > 0) ends.push_back({core.b, -unit, grown});
+                         });
+  const auto before = [](const End& a, const End& b) {
+    if (a.vertex.x() != b.vertex.x()) return a.vertex.x() < b.vertex.x();
+    if (a.vertex.y() != b.vertex.y()) return a.vertex.y() < b.vertex.y();
+    return a.radius < b.radius;
+  };
+  const auto sorts_before = [&](const End& a, const End& b) {
+    if (before(a, b) || before(b, a)) return before(a, b);
+    return heading(a.direction) < heading(b.direction);
+  };
+  std::sort(ends.begin(), ends.end(), sorts_before);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const bool is_new = i == 0 || before(ends[i - 1], ends[i]);
+    const auto edge = static_cast<std::uint32_t>(edges_.size());
+    if (is_new) circles_.push_back({ends[i].vertex, ends[i].radius, edge, edge});
+    if (is_null(ends[i].direction)) continue;
+    edges_.push_back(ends[i].direction);
+    circles_.back().last_edge = edge + 1;
+  }
+}
+
+inline bool TangentCircles::touches(Node node, const Point& direction) const {
+  const Circle& circle = circles_[node / 2];
+  for (std::uint32_t e = circle.first_edge; e < circle.last_edge; ++e) {
+    if (side(node) * cross(edges_[e], direction) > 1e-9) return false;
+  }
+  return true;
+}
+
+/// Refuses most directions that `touches` would refuse, and none else, for a way between circles
+/// whose centres lie `between` apart and whose radii add up to `radii`, at most a quarter of that:
+/// it turns from the line of the centres by an angle of which the sine is radii / distance at most.
+inline bool TangentCircles::may_touch(const Circle& circle, int side, const Point& between,
+                                      double radii) const {
+  const double limit = 1.25 * radii + 2e-9 * (std::abs(between.x()) + std::abs(between.y()));
+  for (std::uint32_t e = circle.first_edge; e < circle.last_edge; ++e) {
+    if (side * cross(edges_[e], between) > limit) return false;
+  }
+  return true;
+}
+
+template <class Visit>
+void TangentCircles::for_each_candidate(const SidedCircle& at, Node from, Visit visit) const {
+  for (Node i = 0; i < circles_.size(); ++i) {
+    const Circle& circle = circles_[i];
+    const Point between{circle.center.x() - at.center.x(), circle.center.y() - at.center.y()};
+    const double radii = circle.radius + at.radius;
+    const bool is_near = between.squaredNorm() < 16 * radii * radii;
+    if (!is_near && from != none && !may_touch(circles_[from / 2], at.side, between, radii)) {
+      continue;
+    }
+    for (const int side : {1, -1}) {
+      const Node node = 2 * i + (side > 0 ? 0 : 1);
+      if (node != from && (is_near || may_touch(circle, side, between, radii))) visit(node);
+    }
+  }
+}
+
+/// Both have their circles in the same order, so the indices rise.
+inline std::vector<TangentCircles::Node> TangentCircles::places_in(
+    const TangentCircles& others) const {
+  const auto key = [](const Circle& c) { return std::tuple(c.center.x(), c.center.y(), c.radius); };
+  std::vector<Node> places(circles_.size(), none);
+  auto its = others.circles_.begin();
+  for (std::size_t i = 0; i < circles_.size(); ++i) {
+    while (its != others.circles_.end() && key(*its) < key(circles_[i])) ++its;
+    if (its == others.circles_.end()) break;
+    if (key(*its) == key(circles_[i])) {
+      places[i] = static_cast<Node>(its - others.circles_.begin());
+    }
+  }
+  return places;
+}
+
+}  // namespace tutavia::detail
