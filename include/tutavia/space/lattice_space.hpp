@@ -24,8 +24,9 @@ struct LatticeOptions {
 
 /// The free space of a workspace and a lattice in it on which every step is safe (see GridBuilder),
 /// so that a path of steps needs no further test. Points off the lattice are joined to it by proved
-/// segments. Immutable: one object serves any number of threads.
-class LatticeSpace : public InflatedSpace {
+/// segments. It answers all that InflatedSpace answers. Immutable: one object serves any number of
+/// threads.
+class LatticeSpace {
  public:
   /// `invalid_input` for a broken workspace, `invalid_option` for a resolution that is not positive
   /// and finite, `limit_exceeded` for more than `max_nodes` nodes.
@@ -38,6 +39,30 @@ class LatticeSpace : public InflatedSpace {
     if (!sampled) return Unexpected{sampled.error()};
     return LatticeSpace(std::move(*space), detail::GridLayer(std::move(sampled->grid),
                                                              sampled->frame, options.movement));
+  }
+
+  /// The free space without the lattice.
+  const InflatedSpace& inflated() const { return inflated_; }
+  const Workspace& workspace() const { return inflated_.workspace(); }
+  const Box& bounds() const { return inflated_.bounds(); }
+  double safety_radius() const { return inflated_.safety_radius(); }
+  double magnitude() const { return inflated_.magnitude(); }
+  double slack() const { return inflated_.slack(); }
+  bool is_free(const Point& p) const { return inflated_.is_free(p); }
+  bool segment_free(const Point& p, const Point& q) const { return inflated_.segment_free(p, q); }
+  double clearance(const Point& p) const { return inflated_.clearance(p); }
+  template <class P>
+  Proximity nearest(const P& piece, double cap) const {
+    return inflated_.nearest(piece, cap);
+  }
+  bool is_inside(const Point& p) const { return inflated_.is_inside(p); }
+  template <class Visit>
+  void for_each_feature(const Box& box, Visit visit) const {
+    inflated_.for_each_feature(box, visit);
+  }
+  template <class Visit>
+  void for_each_corner(const Box& box, Visit visit) const {
+    inflated_.for_each_corner(box, visit);
   }
 
   const OccupancyGrid& grid() const { return layer_.grid(); }
@@ -59,8 +84,9 @@ class LatticeSpace : public InflatedSpace {
 
  private:
   LatticeSpace(InflatedSpace space, detail::GridLayer layer)
-      : InflatedSpace(std::move(space)), layer_(std::move(layer)) {}
+      : inflated_(std::move(space)), layer_(std::move(layer)) {}
 
+  InflatedSpace inflated_;
   detail::GridLayer layer_;
 };
 
