@@ -37,11 +37,11 @@ Engines engines() {
       // On corners of cells, as the optimum is.
       {"theta_star",
        [=](const CellSpace& s) {
-         return engine(s, ThetaStar{Vertices::cell_corner}, bytes_with_corners(s));
+         return engine(s, ThetaStar{NodePlacement::cell_corner}, bytes_with_corners(s));
        }},
       {"lazy_theta_star",
        [=](const CellSpace& s) {
-         return engine(s, LazyThetaStar{Vertices::cell_corner}, bytes_with_corners(s));
+         return engine(s, LazyThetaStar{NodePlacement::cell_corner}, bytes_with_corners(s));
        }},
       {"textbook_theta_star",
        [](const CellSpace& s) { return baseline_engine<baseline::TextbookThetaStar>(s); }},
@@ -62,10 +62,10 @@ std::function<double(const ScenarioRow&)> optimum(const CellSpace& space) {
   const AnyAngle algorithm{value_or_throw(AnyAngle::prepare(space))};
   auto scratch = std::make_shared<AnyAngle::Scratch>();
   return [&space, algorithm, scratch](const ScenarioRow& row) {
-    NoObserver nobody;
+    NoObserver no_observer;
     const Query query{.start = space.frame().point(row.start),
                       .goal = space.frame().point(row.goal)};
-    return value_or_throw(algorithm.search(space, query, *scratch, nobody)).cost;
+    return value_or_throw(algorithm.search(space, query, *scratch, no_observer)).cost;
   };
 }
 

@@ -66,9 +66,9 @@ void cross(const CellSpace& space, const A& algorithm) {
                     .goal = space.frame().point({last, last})};
   const double before = resident_mib();
   typename A::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   const auto start = Clock::now();
-  const auto route = algorithm.search(space, query, scratch, nobody);
+  const auto route = algorithm.search(space, query, scratch, no_observer);
   const double time = seconds_since(start);
   if (!route) {
     std::printf("%-16s %s\n", std::string(A::name).c_str(), route.error().detail.c_str());

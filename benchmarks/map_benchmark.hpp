@@ -60,9 +60,9 @@ template <class A>
 Engine engine(const CellSpace& space, const A& algorithm, std::size_t bytes) {
   auto scratch = std::make_shared<typename A::Scratch>();
   const auto run = [&space, algorithm, scratch](Cell start, Cell goal) -> Engine::Answer {
-    NoObserver nobody;
+    NoObserver no_observer;
     const Query query{.start = space.frame().point(start), .goal = space.frame().point(goal)};
-    auto route = algorithm.search(space, query, *scratch, nobody);
+    auto route = algorithm.search(space, query, *scratch, no_observer);
     if (!route) return {};
     return {route->cost, route->stats.expanded, route->stats.generated, std::move(route->curve)};
   };

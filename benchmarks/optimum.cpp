@@ -62,7 +62,8 @@ auto timed(std::size_t rounds, double& micros, const Run& run) {
 
 /// Moves a polygon by a metre and back again. The least time of one update, in microseconds;
 /// negative where the tangents are not the same as before.
-double update_time(const Workspace& workspace, const TangentMap& tangents, std::size_t rounds) {
+double update_time(const Workspace& workspace, const TangentVisibilityGraph& tangents,
+                   std::size_t rounds) {
   Workspace moved = workspace;
   auto& polygon = std::get<Polygon>(moved.obstacles[moved.obstacles.size() / 2]);
   for (Point& p : polygon.outer) p.x() += p.x() < 50 ? 1 : -1;
@@ -82,15 +83,16 @@ bool run_world(const Scene& scene, std::size_t rounds, Row& row) {
   const LatticeSpace space =
       value_or_throw(LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}));
   const Query query{.start = scene.start, .goal = scene.goals[0]};
-  NoObserver nobody;
+  NoObserver no_observer;
   AStar::Scratch astar;
   double astar_us = 0, optimum_us = 0, prepared_us = 0;
   const auto route =
-      timed(rounds, astar_us, [&] { return AStar{}.search(space, query, astar, nobody); });
+      timed(rounds, astar_us, [&] { return AStar{}.search(space, query, astar, no_observer); });
   if (!route) return false;
   TangentScratch scratch;
-  const auto optimum = timed(rounds, optimum_us,
-                             [&] { return TangentGraph{}.search(space, query, scratch, nobody); });
+  const auto optimum = timed(rounds, optimum_us, [&] {
+    return TangentGraph{}.search(space, query, scratch, no_observer);
+  });
   if (!optimum) throw UsageError{"the tangent graph found no path"};
   const auto begin = Clock::now();
   const TangentGraph prepared{.tangents = value_or_throw(TangentGraph::prepare(space))};
@@ -98,14 +100,15 @@ bool run_world(const Scene& scene, std::size_t rounds, Row& row) {
   const double update_us = update_time(scene.workspace, *prepared.tangents, rounds);
   row.update_ms += update_us / 1000;
   if (update_us < 0) ++row.wrong;
-  const auto again =
-      timed(rounds, prepared_us, [&] { return prepared.search(space, query, scratch, nobody); });
+  const auto again = timed(rounds, prepared_us,
+                           [&] { return prepared.search(space, query, scratch, no_observer); });
 
   const double length = optimum->curve.length();
   const bool is_proved = certify(space, optimum->curve).status == ProofStatus::proved;
   if (!is_proved || !again || std::abs(again->cost - length) > 1e-9 * length) ++row.wrong;
   ThetaStar::Scratch theta;
-  const Curve at_angles = value_or_throw(ThetaStar{}.search(space, query, theta, nobody)).curve;
+  const Curve at_angles =
+      value_or_throw(ThetaStar{}.search(space, query, theta, no_observer)).curve;
   const Curve taut = value_or_throw(TautString{}.smooth(space, route->curve, {}));
   const Curve curves[] = {route->curve,
                           value_or_throw(Shortcut{}.smooth(space, route->curve, {})),

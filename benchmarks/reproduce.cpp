@@ -50,13 +50,14 @@ std::vector<Figures> measure_all(const std::vector<Contender>& contenders,
   std::vector<Figures> all(contenders.size());
   const auto count = static_cast<double>(tasks.size());
   std::vector<AnyScratch> scratch(contenders.size());
-  NoObserver nobody;
+  NoObserver no_observer;
   for (const test::PaperTask& task : tasks) {
     std::vector<double> least(contenders.size(), std::numeric_limits<double>::infinity());
     for (std::size_t round = 0; round < rounds; ++round) {
       for (std::size_t i = 0; i < contenders.size(); ++i) {
         const auto begin = bench::Clock::now();
-        const auto route = contenders[i].search.search(task.space, task.query, scratch[i], nobody);
+        const auto route =
+            contenders[i].search.search(task.space, task.query, scratch[i], no_observer);
         least[i] = std::min(least[i], bench::micros_since(begin));
         if (!route) throw bench::UsageError{contenders[i].name + ": " + route.error().detail};
         if (round > 0) continue;
@@ -203,7 +204,7 @@ void print_ssa(const Arguments& args, std::string& csv) {
       return set.published[i];
     };
     const std::vector<Contender> contenders{
-        contender("A*, Euclidean", AStar{.heuristic = Heuristic::euclidean}, paper(0)),
+        contender("A*, Euclidean", AStar{.heuristic = HeuristicKind::euclidean}, paper(0)),
         contender("A*, octile", AStar{}), contender("Dijkstra", Dijkstra{}, paper(1)),
         contender("SSA-A*", SsaAStar{}, paper(2)), contender("ant colony", AntColony{}, paper(3))};
     const auto figures = measure_all(contenders, tasks, args.rounds);

@@ -84,9 +84,9 @@ std::size_t unproved = 0;
 template <class A, class S>
 std::optional<Route> run(const A& algorithm, const S& space, const Query& query, Runs& runs) {
   typename A::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   const auto begin = Clock::now();
-  auto route = algorithm.search(space, query, scratch, nobody);
+  auto route = algorithm.search(space, query, scratch, no_observer);
   const double time = micros_since(begin);
   if (!route) {
     ++runs.failed;
@@ -231,7 +231,7 @@ void compare_simplifiers(const S& space, Query query, const Arguments& args) {
     own.add(micros_since(begin), shorter.length());
     const Peer<S> peer(space, query, true);
     og::PathGeometric path(peer.information());
-    for (const Point& p : joints(route->curve)) {
+    for (const Point& p : waypoints(route->curve)) {
       ob::ScopedState<ob::RealVectorStateSpace> state(peer.information()->getStateSpace());
       state[0] = p.x(), state[1] = p.y();
       path.append(state.get());
@@ -351,9 +351,9 @@ void show_convergence(const Arguments& args) {
     const auto space = value_or_throw(InflatedSpace::build(scene.workspace));
     const Query query{.start = scene.start, .goal = scene.goals[0]};
     TangentGraph::Scratch scratch;
-    NoObserver nobody;
+    NoObserver no_observer;
     const double optimum =
-        value_or_throw(TangentGraph{}.search(space, query, scratch, nobody)).cost;
+        value_or_throw(TangentGraph{}.search(space, query, scratch, no_observer)).cost;
     std::printf("%s, robot of 1 m: %.4f m\n", scene.name.c_str(), optimum);
     print_convergence("RRT*, k nearest", args, space, query, optimum, RrtStar{});
     print_convergence("RRT*, radius", args, space, query, optimum,

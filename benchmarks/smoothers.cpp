@@ -104,14 +104,14 @@ std::vector<Row> run_worlds(std::size_t polygons,
   polygon_worlds::for_each_world(args, polygons, [&](const Scene& scene) {
     const LatticeSpace space =
         value_or_throw(LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}));
-    NoObserver nobody;
+    NoObserver no_observer;
     const Query query{.start = scene.start, .goal = scene.goals[0]};
     double search_us = std::numeric_limits<double>::infinity();
-    auto route = AStar{}.search(space, query, scratch, nobody);
+    auto route = AStar{}.search(space, query, scratch, no_observer);
     if (!route) return false;
     for (std::size_t round = 0; round < args.rounds; ++round) {
       const auto begin = Clock::now();
-      route = AStar{}.search(space, query, scratch, nobody);
+      route = AStar{}.search(space, query, scratch, no_observer);
       search_us = std::min(search_us, micros_since(begin));
     }
     run_world(scene, *route, space, smoothers, args, search_us, rows);

@@ -53,13 +53,13 @@ void expect(const char* what, std::size_t counted, std::size_t allowed) {
 template <class A>
 void check_search(const char* what, const LatticeSpace& space, const Scene& scene) {
   typename A::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   const Query query{.start = scene.start, .goal = scene.goals[0]};
   std::size_t cold = allocations;
-  (void)A{}.search(space, query, scratch, nobody);
+  (void)A{}.search(space, query, scratch, no_observer);
   cold = allocations - cold;
   std::size_t warm = allocations;
-  const auto route = A{}.search(space, query, scratch, nobody);
+  const auto route = A{}.search(space, query, scratch, no_observer);
   warm = allocations - warm;
   if (!route || cold <= warm) ++failures;
   expect(what, warm, 2);  // the route's pieces and their lengths

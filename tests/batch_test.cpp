@@ -114,9 +114,9 @@ TEST_CASE("a search on a large map stops soon after it is cancelled or out of ti
   const auto space = CellSpace::build(std::move(field)).value();
   Query query{.start = space.frame().point({0, 0}), .goal = space.frame().point({0, 1023})};
   Dijkstra::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   query.budget = Budget::for_seconds(0.002);
-  const auto late = Dijkstra{}.search(space, query, scratch, nobody);
+  const auto late = Dijkstra{}.search(space, query, scratch, no_observer);
   REQUIRE_FALSE(late);
   CHECK(late.error().code == PlanError::budget_exhausted);
   CHECK(late.error().stats.expanded < 1'000'000);  // the whole map would be more
@@ -124,7 +124,7 @@ TEST_CASE("a search on a large map stops soon after it is cancelled or out of ti
   std::stop_source source;
   query.budget = Budget{.stop = source.get_token()};
   source.request_stop();
-  const auto cancelled = Dijkstra{}.search(space, query, scratch, nobody);
+  const auto cancelled = Dijkstra{}.search(space, query, scratch, no_observer);
   REQUIRE_FALSE(cancelled);
   CHECK(cancelled.error().code == PlanError::cancelled);
   CHECK(cancelled.error().stats.expanded < 256);

@@ -37,8 +37,8 @@ Clauses broken_by(
 }
 
 Answer ask(const auto& search, const auto& space, const Query& query, AnyScratch& scratch) {
-  NoObserver nobody;
-  return search.search(space, query, scratch, nobody);
+  NoObserver no_observer;
+  return search.search(space, query, scratch, no_observer);
 }
 
 TEMPLATE_TEST_CASE("the searcher contract is kept by A*", "", LatticeSpace, CellSpace) {

@@ -65,14 +65,14 @@ TEST_CASE("one scratch serves searches of any kind, one after the other") {
   const Scene scene = maps::array();
   const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
   AnySearch<LatticeSpace>::Scratch shared;
-  NoObserver nobody;
+  NoObserver no_observer;
   for (const Point& goal : scene.goals) {
     const Query query{.start = scene.start, .goal = goal, .seed = 3};
     for (const auto& search : all_searches<LatticeSpace>()) {
       INFO(search.name);
       AnySearch<LatticeSpace>::Scratch own;
-      const auto expected = search.search(space, query, own, nobody);
-      const auto route = search.search(space, query, shared, nobody);
+      const auto expected = search.search(space, query, own, no_observer);
+      const auto route = search.search(space, query, shared, no_observer);
       REQUIRE(route);
       CHECK(test::same_curve(route->curve, expected->curve));
     }

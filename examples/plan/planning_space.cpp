@@ -98,7 +98,7 @@ std::vector<Point> critical_corners_of(const PlanningSpace& any_space, const Cur
   std::visit(
       [&](const auto& space) {
         for (const Corner& corner : detail::critical_corners(
-                 space, joints(route), delta.corner_threshold, delta.min_exterior_angle)) {
+                 space, waypoints(route), delta.corner_threshold, delta.min_exterior_angle)) {
           positions.push_back(corner.position);
         }
       },

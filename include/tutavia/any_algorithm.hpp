@@ -81,8 +81,8 @@ struct OptionalRecord {
   void generated(const Point& p) const {
     if (record != nullptr) record->generated(p);
   }
-  void grown(const Segment& interval, const Box& rectangle) const {
-    if (record != nullptr) record->grown(interval, rectangle);
+  void on_rectangle(const Segment& interval, const Box& rectangle) const {
+    if (record != nullptr) record->on_rectangle(interval, rectangle);
   }
 };
 

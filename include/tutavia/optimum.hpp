@@ -20,10 +20,10 @@ template <FeatureSpace S>
 Expected<double, Failure> find_optimum(const S& space, const Query& query,
                                        double bound = std::numeric_limits<double>::infinity()) {
   TangentGraph::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   // A path of the bound's own length is to be found whatever its rounding.
   const TangentGraph search{.bound = bound * (1 + 1e-9)};
-  auto route = search.search(space, query, scratch, nobody);
+  auto route = search.search(space, query, scratch, no_observer);
   if (!route) return Unexpected{std::move(route.error())};
   return route->cost;
 }

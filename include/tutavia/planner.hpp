@@ -52,8 +52,8 @@ class Planner {
 
   template <PlannableSpace<Search, Smooth> S>
   Expected<Plan, Failure> plan(const S& space, const Query& query) {
-    NoObserver nobody;
-    return plan(space, query, nobody);
+    NoObserver no_observer;
+    return plan(space, query, no_observer);
   }
 
   /// The same, with an observer that is told of the nodes searched.

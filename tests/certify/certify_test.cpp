@@ -83,21 +83,22 @@ TEST_CASE("no verdict is wrong on random pieces in random worlds") {
     const auto sampled = test::sampled_clearance(world, curve, 100);
     if (c.status == ProofStatus::proved) {
       ++proved;
-      CHECK(sampled >= world.safety_radius - space.slack());
+      CHECK(sampled >= world.safety_radius - space.distance_error_bound());
       CHECK(c.lower >= world.safety_radius);
-      CHECK(c.lower <= static_cast<double>(sampled) + space.slack());
+      CHECK(c.lower <= static_cast<double>(sampled) + space.distance_error_bound());
       if (std::isfinite(c.upper)) {
         CHECK(std::abs(static_cast<double>(test::reference_clearance(world, c.point)) - c.upper) <=
-              1e-6 + 4 * space.slack());
+              1e-6 + 4 * space.distance_error_bound());
       }
       for (int i = 0; i <= 100; ++i) {
-        CHECK(world.bounds.inflated(space.slack()).contains(curve.point(curve.length() * i / 100)));
+        CHECK(world.bounds.inflated(space.distance_error_bound())
+                  .contains(curve.point(curve.length() * i / 100)));
       }
     } else if (c.status == ProofStatus::violated) {
       ++violated;
       const bool outside = !world.bounds.contains(c.point);
       const bool close = test::reference_clearance(world, c.point) <
-                         world.safety_radius + static_cast<double>(space.slack());
+                         world.safety_radius + static_cast<double>(space.distance_error_bound());
       CHECK((outside || close));
     } else {
       ++undecided;

@@ -19,7 +19,7 @@ inline void check_obstacles(std::vector<Obstacle> obstacles) {
   const auto space = InflatedSpace::build(workspace);
   if (!space) std::abort();
   const double clearance = space->clearance({1, 2});
-  if (space->is_free({1, 2}) && clearance < 0.5 - space->slack()) std::abort();
+  if (space->is_free({1, 2}) && clearance < 0.5 - space->distance_error_bound()) std::abort();
 }
 
 }  // namespace tutavia::test

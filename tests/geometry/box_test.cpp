@@ -58,8 +58,8 @@ TEST_CASE("around() is the least box that holds its points", "[geometry]") {
   CHECK(box.max == Point(2, 9));
   CHECK(box.width() == 3);
   CHECK(box.height() == 16);
-  CHECK(box.magnitude() == 9);
-  CHECK(Box::around({{-20, 1}, {3, 2}}).magnitude() == 20);
+  CHECK(box.largest_coordinate() == 9);
+  CHECK(Box::around({{-20, 1}, {3, 2}}).largest_coordinate() == 20);
 }
 
 TEST_CASE("inflated() moves every side out, or in where the margin is negative", "[geometry]") {

@@ -250,8 +250,8 @@ TEST_CASE("a reversed curve visits the same points the other way round", "[geome
 
 TEST_CASE("joints are the start and the end of every piece", "[geometry]") {
   const std::vector<Point> points{{0, 0}, {3, 4}, {3, 4}, {3, 10}};
-  CHECK(joints(polyline(points)) == points);
-  CHECK(joints(Curve()).empty());
+  CHECK(waypoints(polyline(points)) == points);
+  CHECK(waypoints(Curve()).empty());
 }
 
 TEST_CASE("the nearest point of a curve is as near as any sample", "[geometry]") {

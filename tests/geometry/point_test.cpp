@@ -44,12 +44,12 @@ TEST_CASE("heading measures from +x, left positive, and includes +pi", "[geometr
 }
 
 TEST_CASE("deflection is the signed angle from one vector to the other", "[geometry]") {
-  CHECK(deflection({1, 0}, {1, 1}) == Approx(pi / 4));
-  CHECK(deflection({0, 2}, {3, 0}) == Approx(-pi / 2));
-  CHECK(deflection({1, 0}, {-3, 0}) == Approx(pi));
-  CHECK(deflection({2, 5}, {4, 10}) == 0);
+  CHECK(turn_angle({1, 0}, {1, 1}) == Approx(pi / 4));
+  CHECK(turn_angle({0, 2}, {3, 0}) == Approx(-pi / 2));
+  CHECK(turn_angle({1, 0}, {-3, 0}) == Approx(pi));
+  CHECK(turn_angle({2, 5}, {4, 10}) == 0);
   // It stays small across the cut of the heading at pi.
-  CHECK(deflection({-1, 0.125}, {-1, -0.125}) == Approx(2 * std::atan(0.125)));
+  CHECK(turn_angle({-1, 0.125}, {-1, -0.125}) == Approx(2 * std::atan(0.125)));
 }
 
 TEST_CASE("deflection recovers the angle by which a vector was turned", "[geometry]") {
@@ -62,8 +62,8 @@ TEST_CASE("deflection recovers the angle by which a vector was turned", "[geomet
     INFO("round " << round << " from " << from << " turn " << turn << " size " << size);
     const Point a = size * Point(std::cos(from), std::sin(from));
     const Point b = other * Point(std::cos(from + turn), std::sin(from + turn));
-    CHECK(deflection(a, b) == Approx(turn).margin(1e-14));
-    CHECK(deflection(b, a) == Approx(-turn).margin(1e-14));
+    CHECK(turn_angle(a, b) == Approx(turn).margin(1e-14));
+    CHECK(turn_angle(b, a) == Approx(-turn).margin(1e-14));
   }
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("max_magnitude is the larger absolute coordinate", "[geometry]") {
 }
 
 TEST_CASE("angles never come out as -pi, whatever the signs of zeros") {
-  CHECK(deflection({-1, 0}, {1, 0}) == Approx(std::acos(-1)));
+  CHECK(turn_angle({-1, 0}, {1, 0}) == Approx(std::acos(-1)));
   CHECK(heading({-1, -0.0}) == Approx(std::acos(-1)));
   CHECK(heading({-0.0, 0.0}) == 0);
 }

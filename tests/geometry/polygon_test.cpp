@@ -32,7 +32,7 @@ std::size_t edge_count(const Ring& ring) {
 int turns(const Ring& ring, const Point& p) {
   double angle = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    angle += deflection(ring[i] - p, ring[(i + 1) % ring.size()] - p);
+    angle += turn_angle(ring[i] - p, ring[(i + 1) % ring.size()] - p);
   }
   return static_cast<int>(std::lround(angle / (2 * std::acos(-1.0))));
 }

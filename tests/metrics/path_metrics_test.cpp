@@ -117,7 +117,7 @@ TEST_CASE("turning and curvature agree with dense sampling, forwards and backwar
       for (int i = 1; i <= samples; ++i) {
         const double t = static_cast<double>(i) / samples;
         const Point after = piece.derivative(t);
-        turning += std::abs(deflection(before, after));
+        turning += std::abs(turn_angle(before, after));
         curvature = std::max(curvature, std::abs(tutavia::curvature(piece, t)));
         before = after;
       }

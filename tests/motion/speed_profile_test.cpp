@@ -32,7 +32,7 @@ Curve line(double length) {
 }
 
 TEST_CASE("a straight line is accelerating, cruising and braking, in closed form") {
-  const SpeedLimits limits{.speed = 2, .acceleration = 1, .braking = 0.5};
+  const SpeedLimits limits{.speed = 2, .acceleration = 1, .max_deceleration = 0.5};
   // 2 m and 2 s up to speed, 4 m and 4 s down.
   const auto profile = SpeedProfile::build(line(10), limits).value();
   CHECK(profile.duration() == Approx(2 + 2 + 4));
@@ -52,7 +52,8 @@ TEST_CASE("a straight line is accelerating, cruising and braking, in closed form
 
   // Rolling through.
   const auto roll = SpeedProfile::build(
-      line(10), {.speed = 2, .acceleration = 1, .braking = 0.5, .start_speed = 2, .end_speed = 2});
+      line(10),
+      {.speed = 2, .acceleration = 1, .max_deceleration = 0.5, .start_speed = 2, .end_speed = 2});
   CHECK(roll->duration() == Approx(5));
   CHECK(SpeedProfile::build(line(0), limits)->duration() == 0);
 }
@@ -62,7 +63,8 @@ TEST_CASE("bends are taken at the speed that the lateral limit allows, corners f
   curve.push_back(Segment{{0, 0}, {9, 0}});
   curve.push_back(Arc::around({9, 2}, 2, -pi / 2, pi));
   curve.push_back(Segment{curve.end(), {0, 4}});
-  const SpeedLimits limits{.speed = 3, .acceleration = 1, .braking = 1, .lateral = 0.5};
+  const SpeedLimits limits{
+      .speed = 3, .acceleration = 1, .max_deceleration = 1, .max_lateral_acceleration = 0.5};
   const auto profile = SpeedProfile::build(curve, limits).value();
   const double middle = profile.duration() / 2;
   CHECK(profile.at(middle).speed == Approx(1));  // 1^2 / 2 = 0.5
@@ -79,10 +81,10 @@ void check_limits(const SpeedProfile& profile, const SpeedLimits& limits, Random
   const double tolerance = 1 + 1e-9;
   for (int i = 0; i < 300; ++i) {
     const TimedPoint p = profile.at(random.uniform(0, profile.duration()));
-    CHECK(p.speed <= limits.speed * tolerance);
-    CHECK(p.acceleration <= limits.acceleration);
-    CHECK(p.acceleration >= -limits.braking);
-    CHECK(p.speed * p.speed * std::abs(p.curvature) <= limits.lateral * tolerance);
+    CHECK(p.speed <= limits.max_speed * tolerance);
+    CHECK(p.acceleration <= limits.max_acceleration);
+    CHECK(p.acceleration >= -limits.max_deceleration);
+    CHECK(p.speed * p.speed * std::abs(p.curvature) <= limits.max_lateral_acceleration * tolerance);
   }
   // Places and speeds belong together: what is driven is the length of the curve.
   double driven = 0;
@@ -110,8 +112,8 @@ TEST_CASE("the limits hold everywhere on curves of all kinds; smooth curves are 
     const Curve route = Curve::polyline(task->route);
     const SpeedLimits limits{.speed = random.uniform(0.2, 3),
                              .acceleration = random.uniform(0.1, 2),
-                             .braking = random.uniform(0.1, 2),
-                             .lateral = random.uniform(0.1, 2)};
+                             .max_deceleration = random.uniform(0.1, 2),
+                             .max_lateral_acceleration = random.uniform(0.1, 2)};
     const Curve string = TautString{}.smooth(space, route, {}).value();
     const Curve rounded =
         BSplineSmoother{.reach = task->world.bounds.width() / 20}.smooth(space, route, {}).value();
@@ -143,17 +145,18 @@ struct Use {
 
 Use use_of(const SpeedProfile& profile, const SpeedLimits& limits, Random& random, int times) {
   const double duration = profile.duration(), infinity = std::numeric_limits<double>::infinity();
-  const double rate = limits.acceleration + limits.braking;
+  const double rate = limits.max_acceleration + limits.max_deceleration;
   const double rounding =
       1e-13 * (1 + profile.curve().length() + duration) + 1e-15 * profile.curve().start().norm();
   Use use;
   const auto raise = [](double& most, double value) { most = std::max(most, value); };
   for (int i = 0; i < times; ++i) {
     const TimedPoint p = profile.at(random.uniform(0, duration));
-    raise(use.speed, p.speed < 0 ? infinity : p.speed / limits.speed);
-    raise(use.lateral, p.speed * p.speed * std::abs(p.curvature) / limits.lateral);
-    raise(use.along, p.acceleration / limits.acceleration);
-    raise(use.along, -p.acceleration / limits.braking);
+    raise(use.speed, p.speed < 0 ? infinity : p.speed / limits.max_speed);
+    raise(use.max_lateral_acceleration,
+          p.speed * p.speed * std::abs(p.curvature) / limits.max_lateral_acceleration);
+    raise(use.along, p.acceleration / limits.max_acceleration);
+    raise(use.along, -p.acceleration / limits.max_deceleration);
     // A while later, as long as a step of a simulation or much shorter.
     const double later =
         std::min(p.time + duration * std::pow(10, random.uniform(-7, -2)), duration);
@@ -163,14 +166,14 @@ Use use_of(const SpeedProfile& profile, const SpeedLimits& limits, Random& rando
     const double place_error = std::abs(q.s - p.s - 0.5 * t * (p.speed + q.speed));
     const double speed_error =
         std::abs(q.speed - p.speed - 0.5 * t * (p.acceleration + q.acceleration));
-    if (std::isinf(limits.jerk)) {  // a trapezoid's error, by how fast what it sums up changes
+    if (std::isinf(limits.max_jerk)) {  // a trapezoid's error, by how fast what it sums up changes
       raise(use.change_of_place, place_error / (rate * t * t / 8 + rounding));
       raise(use.change_of_speed, std::abs(q.speed - p.speed) / (rate * t + rounding));
     } else {
       const double change = std::abs(q.acceleration - p.acceleration);
-      raise(use.jerk, change / (limits.jerk * t + 1e-9 * rate));
-      raise(use.change_of_place, place_error / (limits.jerk * t * t * t / 12 + rounding));
-      raise(use.change_of_speed, speed_error / (limits.jerk * t * t / 4 + rounding));
+      raise(use.max_jerk, change / (limits.max_jerk * t + 1e-9 * rate));
+      raise(use.change_of_place, place_error / (limits.max_jerk * t * t * t / 12 + rounding));
+      raise(use.change_of_speed, speed_error / (limits.max_jerk * t * t / 4 + rounding));
     }
   }
   return use;
@@ -182,9 +185,9 @@ void check_profile(const SpeedProfile& profile, const SpeedLimits& limits, Rando
   REQUIRE(std::isfinite(profile.duration()));
   const Use use = use_of(profile, limits, random, times);
   CHECK(use.speed <= tolerance);
-  CHECK(use.lateral <= tolerance);
+  CHECK(use.max_lateral_acceleration <= tolerance);
   CHECK(use.along <= tolerance);
-  CHECK(use.jerk <= tolerance);
+  CHECK(use.max_jerk <= tolerance);
   CHECK(use.change_of_place <= tolerance);
   CHECK(use.change_of_speed <= tolerance);
 
@@ -195,7 +198,7 @@ void check_profile(const SpeedProfile& profile, const SpeedLimits& limits, Rando
   CHECK(last.s == profile.curve().length());
   CHECK(last.position == profile.curve().end());
   CHECK(last.speed <= limits.end_speed * tolerance + 1e-9);
-  if (std::isfinite(limits.jerk)) {
+  if (std::isfinite(limits.max_jerk)) {
     CHECK(first.acceleration == 0);
     CHECK(last.acceleration == Approx(0).margin(1e-9));
   }
@@ -239,14 +242,14 @@ TEST_CASE("profiles of curves of every kind keep all limits at any time, with an
         arcs};
     SpeedLimits limits{.speed = random.uniform(0.2, 3),
                        .acceleration = random.uniform(0.1, 2),
-                       .braking = random.uniform(0.1, 2),
-                       .lateral = random.uniform(0.1, 2)};
+                       .max_deceleration = random.uniform(0.1, 2),
+                       .max_lateral_acceleration = random.uniform(0.1, 2)};
     const double jerk = std::pow(10, random.uniform(-1, 2));
     for (std::size_t k = 0; k < std::size(curves); ++k) {
       INFO("curve " << k << ", jerk " << jerk);
       const auto plain = SpeedProfile::build(curves[k], limits);
       SpeedLimits gentle = limits;
-      gentle.jerk = jerk;
+      gentle.max_jerk = jerk;
       const auto eased = SpeedProfile::build(curves[k], gentle);
       REQUIRE(plain);
       REQUIRE(eased);
@@ -256,8 +259,8 @@ TEST_CASE("profiles of curves of every kind keep all limits at any time, with an
       without[k] += plain->duration();
       with_jerk[k] += eased->duration();
 
-      gentle.start_speed = random.uniform(0, limits.speed);
-      gentle.end_speed = random.uniform(0, limits.speed);
+      gentle.start_speed = random.uniform(0, limits.max_speed);
+      gentle.end_speed = random.uniform(0, limits.max_speed);
       const auto rolling = SpeedProfile::build(curves[k], gentle);
       if (rolling) {
         check_profile(*rolling, gentle, random, 1000);
@@ -274,7 +277,7 @@ TEST_CASE("profiles of curves of every kind keep all limits at any time, with an
 }
 
 TEST_CASE("with jerk, a straight line from rest to rest takes longer by one window") {
-  SpeedLimits limits{.speed = 2, .acceleration = 1, .braking = 0.5, .jerk = 0.75};
+  SpeedLimits limits{.speed = 2, .acceleration = 1, .max_deceleration = 0.5, .max_jerk = 0.75};
   // 8 s without a limit of jerk (see above); the window is 1.5 / 0.75 = 2 s.
   const auto profile = SpeedProfile::build(line(10), limits).value();
   CHECK(profile.duration() == Approx(8 + 2));
@@ -284,19 +287,19 @@ TEST_CASE("with jerk, a straight line from rest to rest takes longer by one wind
   CHECK(profile.at(99).position == Point(11, 1));
   // The shorter the way, the gentler: not far from the least time for it, (32 L / j)^(1/3).
   for (const double length : {1.0, 0.1, 1e-3, 1e-6}) {
-    limits.braking = limits.acceleration;
-    const double least = std::cbrt(32 * length / limits.jerk);
+    limits.max_deceleration = limits.max_acceleration;
+    const double least = std::cbrt(32 * length / limits.max_jerk);
     const double time = SpeedProfile::build(line(length), limits)->duration();
     CHECK(time >= least * (1 - 1e-9));
     CHECK(time <= 1.25 * least);
   }
   // The more jerk, the closer to none.
-  limits.jerk = 1e9;
+  limits.max_jerk = 1e9;
   CHECK(SpeedProfile::build(line(10), limits)->duration() == Approx(2 + 3 + 2).epsilon(1e-6));
 }
 
 TEST_CASE("with jerk, rolling in and out is kept, and no start that cannot be braked from") {
-  SpeedLimits limits{.jerk = 1, .start_speed = 1, .end_speed = 1};
+  SpeedLimits limits{.max_jerk = 1, .start_speed = 1, .end_speed = 1};
   const auto roll = SpeedProfile::build(line(10), limits).value();
   CHECK(roll.duration() == Approx(10));
   CHECK(roll.at(5).speed == Approx(1));
@@ -318,14 +321,14 @@ TEST_CASE("with jerk, rolling in and out is kept, and no start that cannot be br
     curve.push_back(Segment{end, {end.x() + 20 * std::cos(0.2), end.y() + 20 * std::sin(0.2)}});
     return curve;
   };
-  limits = {.jerk = 0.1, .start_speed = 1};
+  limits = {.max_jerk = 0.1, .start_speed = 1};
   CHECK_FALSE(SpeedProfile::build(before_bend(1), limits));
   const auto bend = SpeedProfile::build(before_bend(8), limits);
   REQUIRE(bend);
   Random random(1);
   check_profile(*bend, limits, random, 1000);
   // Stops at corners, one after the other.
-  limits = {.jerk = 1};
+  limits = {.max_jerk = 1};
   const Point corner[] = {{0, 0}, {2, 0}, {2, 2}};
   const auto stops = SpeedProfile::build(Curve::polyline(corner), limits).value();
   const double once = SpeedProfile::build(line(2), limits)->duration();
@@ -345,15 +348,16 @@ TEST_CASE("limits out of range are refused by name, and what cannot be followed"
   };
   CHECK(refusal({.speed = 0}).find("speed ") == 0);
   CHECK(refusal({.acceleration = nan}).find("acceleration ") == 0);
-  CHECK(refusal({.braking = -1}).find("braking ") == 0);
-  CHECK(refusal({.lateral = std::numeric_limits<double>::infinity()}).find("lateral ") == 0);
-  CHECK(refusal({.jerk = 0}).find("jerk ") == 0);
-  CHECK(refusal({.jerk = nan}).find("jerk ") == 0);
+  CHECK(refusal({.max_deceleration = -1}).find("braking ") == 0);
+  CHECK(refusal({.max_lateral_acceleration = std::numeric_limits<double>::infinity()})
+            .find("lateral ") == 0);
+  CHECK(refusal({.max_jerk = 0}).find("jerk ") == 0);
+  CHECK(refusal({.max_jerk = nan}).find("jerk ") == 0);
   CHECK(refusal({.start_speed = 2}).find("start_speed ") == 0);
   CHECK(refusal({.end_speed = nan}).find("end_speed ") == 0);
   // From 1 m/s it takes 1 m to stop at 0.5 m/s^2.
   CHECK(SpeedProfile::build(line(1), {.start_speed = 1}));
-  CHECK(refusal({.braking = 0.4, .start_speed = 1}).find("start_speed ") == 0);
+  CHECK(refusal({.max_deceleration = 0.4, .start_speed = 1}).find("start_speed ") == 0);
   CHECK(SpeedProfile::build(Curve{}, {}).error().code == PlanError::invalid_input);
   Curve cusp;
   cusp.push_back(CubicBezier{{Point(0, 0), Point(1, 1), Point(0, 1), Point(1, 0)}});

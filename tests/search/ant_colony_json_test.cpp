@@ -26,7 +26,7 @@ TEST_CASE("what ants find is a path, the same from the same seed") {
   const std::uint64_t seed = 920;
   Random random(seed);
   AntColony::Scratch scratch, other;
-  NoObserver nobody;
+  NoObserver no_observer;
   std::size_t found = 0;
   for (std::size_t round = 0; round < test::scaled(60); ++round) {
     INFO("seed " << seed << ", round " << round);
@@ -35,8 +35,8 @@ TEST_CASE("what ants find is a path, the same from the same seed") {
             .value();
     Query query = test::random_query(random, space);
     query.seed = round;
-    const auto route = AntColony{}.search(space, query, scratch, nobody);
-    const auto again = AntColony{}.search(space, query, other, nobody);
+    const auto route = AntColony{}.search(space, query, scratch, no_observer);
+    const auto again = AntColony{}.search(space, query, other, no_observer);
     REQUIRE(route.has_value() == again.has_value());
     if (!route) {
       CHECK(route.error().code == again.error().code);
@@ -53,22 +53,22 @@ TEST_CASE("what ants find is a path, the same from the same seed") {
 
 TEST_CASE("ants find the way with any weights that are allowed") {
   AntColony::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   const auto length = [&](int width, int height, const AntColony& ants) {
     OccupancyGrid grid = OccupancyGrid::blocked(width, height).value();
     for (int y = 0; y < height; ++y) grid.set_run(y, 0, width - 1, true);
     const auto space = CellSpace::build(std::move(grid)).value();
     const Query query{.start = {0.5, 0.5}, .goal = {width - 0.5, 0.5}};
-    const auto route = ants.search(space, query, scratch, nobody);
+    const auto route = ants.search(space, query, scratch, no_observer);
     REQUIRE(route);
     return route->curve.length();
   };
   // The hundredth power of 1 / 2500 is 0 in doubles.
-  CHECK(length(2500, 1, {.ants = 2, .iterations = 2, .distance_weight = 100}) == 2499);
-  // The hundredth power of a scent, in units that grow from round to round, is infinite.
+  CHECK(length(2500, 1, {.ants = 2, .iterations = 2, .distance_exponent = 100}) == 2499);
+  // The hundredth power of a pheromone, in units that grow from round to round, is infinite.
   for (const double evaporation : {0.0, 0.3, 0.9, 0.99999}) {
     INFO(evaporation);
-    CHECK(length(40, 10, {.scent_weight = 100, .evaporation = evaporation}) < 400);
+    CHECK(length(40, 10, {.pheromone_exponent = 100, .evaporation = evaporation}) < 400);
   }
 }
 
@@ -78,13 +78,13 @@ TEST_CASE("ants learn: more rounds give shorter paths on the grids of the SSA-A*
     std::size_t found = 0, grids = 0;
     AntColony::Scratch scratch;
     AStar::Scratch reference;
-    NoObserver nobody;
+    NoObserver no_observer;
     for (const auto& [space, query] : test::ssa_tasks(kind)) {
-      const auto optimum = AStar{}.search(space, query, reference, nobody);
+      const auto optimum = AStar{}.search(space, query, reference, no_observer);
       const AntColony hasty{.iterations = 2, .dead_ends = AntColony::DeadEnds::discard};
-      const auto early = hasty.search(space, query, scratch, nobody);
+      const auto early = hasty.search(space, query, scratch, no_observer);
       const AntColony colony{.dead_ends = AntColony::DeadEnds::discard};
-      const auto late = colony.search(space, query, scratch, nobody);
+      const auto late = colony.search(space, query, scratch, no_observer);
       REQUIRE(optimum);
       ++grids;
       if (!early || !late) continue;
@@ -107,23 +107,24 @@ TEST_CASE("an ant colony refuses what it cannot use, and says when no ant arrive
   const CellSpace& space = tasks[0].space;
   const Query& query = tasks[0].query;
   AntColony::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   const auto code = [&](const AntColony& colony, const Query& q) {
-    const auto route = colony.search(space, q, scratch, nobody);
+    const auto route = colony.search(space, q, scratch, no_observer);
     REQUIRE_FALSE(route);
     return route.error().code;
   };
   CHECK(code({.ants = 0}, query) == PlanError::invalid_option);
   CHECK(code({.iterations = 0}, query) == PlanError::invalid_option);
-  CHECK(code({.scent_weight = -1}, query) == PlanError::invalid_option);
-  CHECK(code({.distance_weight = std::nan("")}, query) == PlanError::invalid_option);
+  CHECK(code({.pheromone_exponent = -1}, query) == PlanError::invalid_option);
+  CHECK(code({.distance_exponent = std::nan("")}, query) == PlanError::invalid_option);
   CHECK(code({.evaporation = 1}, query) == PlanError::invalid_option);
   CHECK(code({.deposit = HUGE_VAL}, query) == PlanError::invalid_option);
   Query hasty = query;
   hasty.budget.max_expansions = 3;
   CHECK(code({}, hasty) == PlanError::budget_exhausted);
-  // A scent that fades fast, many rounds: the units are made anew on the way.
-  CHECK(AntColony{.iterations = 300, .evaporation = 0.9}.search(space, query, scratch, nobody));
+  // A pheromone that fades fast, many rounds: the units are made anew on the way.
+  CHECK(
+      AntColony{.iterations = 300, .evaporation = 0.9}.search(space, query, scratch, no_observer));
 }
 
 }  // namespace

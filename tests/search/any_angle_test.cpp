@@ -29,9 +29,9 @@ template <class A>
 void check_corner_search(const CellSpace& space, const test::CornerRules& rules, const A& algorithm,
                          const Query& query, double shortest) {
   INFO(A::name);
-  NoObserver nobody;
+  NoObserver no_observer;
   typename A::Scratch scratch;
-  const auto route = algorithm.search(space, query, scratch, nobody);
+  const auto route = algorithm.search(space, query, scratch, no_observer);
   REQUIRE(route);
   CHECK(route->curve.start() == query.start);
   CHECK(route->curve.end() == query.goal);
@@ -48,7 +48,7 @@ TEST_CASE("AnyAngle keeps the searcher contract, on rows and on a mesh") {
 TEST_CASE("a query finds what it finds alone after one that was stopped") {
   const std::uint64_t seed = 610;
   Random random(seed);
-  NoObserver nobody;
+  NoObserver no_observer;
   std::size_t found = 0, stopped = 0;
   for (std::size_t round = 0; round < 300; ++round) {
     INFO("seed " << seed << ", round " << round);
@@ -61,9 +61,9 @@ TEST_CASE("a query finds what it finds alone after one that was stopped") {
     first.budget.max_expansions = 1 + round % 20;
     const Query second{center(), center()};
     AnyAngle::Scratch scratch, unused;
-    const auto cut_short = search.search(space, first, scratch, nobody);
-    const auto after = search.search(space, second, scratch, nobody);
-    const auto alone = search.search(space, second, unused, nobody);
+    const auto cut_short = search.search(space, first, scratch, no_observer);
+    const auto after = search.search(space, second, scratch, no_observer);
+    const auto alone = search.search(space, second, unused, no_observer);
     REQUIRE(after.has_value() == alone.has_value());
     stopped += !cut_short && cut_short.error().code == PlanError::budget_exhausted;
     if (!alone) continue;
@@ -80,7 +80,7 @@ TEST_CASE("any-angle paths are as short as a visibility graph's, between centres
   const std::uint64_t seed = 600;
   Random random(seed);
   AnyAngle::Scratch scratch, prepared_scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   std::size_t found = 0, bent = 0;
   for (std::size_t round = 0; round < test::scaled(300); ++round) {
     INFO("seed " << seed << ", round " << round);
@@ -96,8 +96,8 @@ TEST_CASE("any-angle paths are as short as a visibility graph's, between centres
     const test::Half start = place(), goal = place();
     if (!space.is_free(point(start)) || !space.is_free(point(goal))) continue;
     const auto expected = rules.shortest(start, goal);
-    const auto route =
-        AnyAngle{}.search(space, {.start = point(start), .goal = point(goal)}, scratch, nobody);
+    const auto route = AnyAngle{}.search(space, {.start = point(start), .goal = point(goal)},
+                                         scratch, no_observer);
     INFO("from " << start.x << ", " << start.y << " to " << goal.x << ", " << goal.y
                  << " in half cells");
     REQUIRE(route.has_value() == expected.has_value());
@@ -115,13 +115,13 @@ TEST_CASE("any-angle paths are as short as a visibility graph's, between centres
     CHECK(certify(space, route->curve).status == ProofStatus::proved);
     const AnyAngle prepared{.mesh = AnyAngle::prepare(space).value()};
     const auto again = prepared.search(space, {.start = point(start), .goal = point(goal)},
-                                       prepared_scratch, nobody);
+                                       prepared_scratch, no_observer);
     REQUIRE(again);
     CHECK(again->cost == Approx(*expected).epsilon(1e-9));
     CHECK(rules.allows(test::joints_in_halves(again->curve)));
     const Query query{.start = point(start), .goal = point(goal)};
-    check_corner_search(space, rules, ThetaStar{Vertices::cell_corner}, query, *expected);
-    check_corner_search(space, rules, LazyThetaStar{Vertices::cell_corner}, query, *expected);
+    check_corner_search(space, rules, ThetaStar{NodePlacement::cell_corner}, query, *expected);
+    check_corner_search(space, rules, LazyThetaStar{NodePlacement::cell_corner}, query, *expected);
   }
   CHECK(found > test::scaled(300) / 3);
   CHECK(bent > test::scaled(300) / 6);
@@ -131,7 +131,7 @@ TEST_CASE("starts and goals within rounding of a corner change nothing") {
   const std::uint64_t seed = 610;
   Random random(seed);
   AnyAngle::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   std::size_t found = 0, compared = 0;
   for (std::size_t round = 0; round < test::scaled(300); ++round) {
     INFO("seed " << seed << ", round " << round);
@@ -146,13 +146,13 @@ TEST_CASE("starts and goals within rounding of a corner change nothing") {
     const Point a = corner(), b = corner();
     const Point near_a{beside(a.x()), beside(a.y())}, near_b{beside(b.x()), beside(b.y())};
     const Query query{.start = near_a, .goal = near_b};
-    const auto online = AnyAngle{}.search(space, query, scratch, nobody);
-    const auto on_mesh = prepared.search(space, query, scratch, nobody);
+    const auto online = AnyAngle{}.search(space, query, scratch, no_observer);
+    const auto on_mesh = prepared.search(space, query, scratch, no_observer);
     REQUIRE(online.has_value() == on_mesh.has_value());
     if (!online) continue;
     ++found;
     CHECK(online->cost == Approx(on_mesh->cost).epsilon(1e-9));
-    const auto exact = AnyAngle{}.search(space, {.start = a, .goal = b}, scratch, nobody);
+    const auto exact = AnyAngle{}.search(space, {.start = a, .goal = b}, scratch, no_observer);
     if (!exact) continue;
     ++compared;
     CHECK(online->cost >= exact->cost - 1e-9);
@@ -162,7 +162,7 @@ TEST_CASE("starts and goals within rounding of a corner change nothing") {
 }
 
 TEST_CASE("no search on cells finds a shorter path than AnyAngle on the MovingAI maps") {
-  NoObserver nobody;
+  NoObserver no_observer;
   test::for_each_moving_ai_map(test::scaled(20), [&](const test::MovingAiMap& map) {
     const CellSpace& space = map.space;
     const test::CornerRules rules(space.grid());
@@ -172,18 +172,19 @@ TEST_CASE("no search on cells finds a shorter path than AnyAngle on the MovingAI
     for (const ScenarioRow& row : map.rows) {
       INFO(map.name << " line " << row.line);
       const Query query = map.query(row);
-      const auto route = AnyAngle{}.search(space, query, scratch, nobody);
+      const auto route = AnyAngle{}.search(space, query, scratch, no_observer);
       REQUIRE(route);
       CHECK(route->cost <= row.optimal_length + 0.02);
       CHECK(rules.allows(test::joints_in_halves(route->curve)));
-      const auto again = prepared.search(space, query, scratch, nobody);
+      const auto again = prepared.search(space, query, scratch, no_observer);
       REQUIRE(again);
       CHECK(again->cost == Approx(route->cost).epsilon(1e-9));
       CHECK(rules.allows(test::joints_in_halves(again->curve)));
-      check_corner_search(space, rules, ThetaStar{Vertices::cell_corner}, query, route->cost);
-      check_corner_search(space, rules, LazyThetaStar{Vertices::cell_corner}, query, route->cost);
-      const auto other = ThetaStar{}.search(space, query, theta, nobody).value();
-      const auto lazy = LazyThetaStar{}.search(space, query, theta, nobody).value();
+      check_corner_search(space, rules, ThetaStar{NodePlacement::cell_corner}, query, route->cost);
+      check_corner_search(space, rules, LazyThetaStar{NodePlacement::cell_corner}, query,
+                          route->cost);
+      const auto other = ThetaStar{}.search(space, query, theta, no_observer).value();
+      const auto lazy = LazyThetaStar{}.search(space, query, theta, no_observer).value();
       CHECK(rules.allows(test::joints_in_halves(other.curve)));
       CHECK(rules.allows(test::joints_in_halves(lazy.curve)));
       CHECK(route->cost <= other.cost * (1 + 1e-9));

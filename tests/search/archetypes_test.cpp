@@ -36,7 +36,7 @@ void check_route(const Expected<Route, Failure>& route, const S& space) {
   CHECK(route->curve.start() == query.start);
   CHECK(route->curve.end() == query.goal);
   CHECK(route->curve.length() >= distance(query.start, query.goal) * (1 - 1e-12));
-  for (const Point& p : joints(route->curve)) CHECK(space.is_free(p));
+  for (const Point& p : waypoints(route->curve)) CHECK(space.is_free(p));
 }
 
 /// Runs some searches on a new space of type S and notes their names.
@@ -77,7 +77,8 @@ TEST_CASE("every search works on any space that has the operations its concept n
   runs.on<JumpArchetype>(Jps{});
   runs.on<SightArchetype>(ThetaStar{}, LazyThetaStar{});
   runs.on<StepSightArchetype>(ThetaStar{}, LazyThetaStar{});
-  runs.on<JumpSightArchetype>(JpsThetaStar{}, JpsThetaStar{.lines_of_sight = SightUse::in_search});
+  runs.on<JumpSightArchetype>(JpsThetaStar{},
+                              JpsThetaStar{.lines_of_sight = LineOfSightUse::in_search});
   runs.on<ColumnArchetype>(ReaStar{}, SbReaStar{});
   runs.on<ColumnSightArchetype>(ImprovedReaStar{});
   for (const auto& search : all_searches<LatticeSpace>()) {
@@ -147,17 +148,17 @@ TEST_CASE("what is prepared for searches is made from any space of its concept")
   const FeatureArchetype features;
   runs.run(TangentGraph{.tangents = *TangentGraph::prepare(features)}, features);
   CHECK(find_optimum(features, query).value() == Approx(distance(query.start, query.goal)));
-  CHECK(TangentMap(features).updated(features, {}).value().matches(features));
+  CHECK(TangentVisibilityGraph(features).updated(features, {}).value().matches(features));
 }
 
-/// Models StepPrices: all steps at one price.
+/// Models StepCosts: all steps at one price.
 struct PricesArchetype {
   static constexpr Cost scale = 2;
-  Cost price(Cell, std::size_t) const { return scale * straight_cost; }
+  Cost step_cost(Cell, std::size_t) const { return scale * straight_cost; }
 };
-static_assert(detail::StepPrices<PricesArchetype> && detail::StepPrices<CellCosts> &&
-              detail::StepPrices<detail::PlainPrices>);
-static_assert(!detail::StepPrices<int>);
+static_assert(detail::StepCosts<PricesArchetype> && detail::StepCosts<CellCosts> &&
+              detail::StepCosts<detail::PlainStepCosts>);
+static_assert(!detail::StepCosts<int>);
 
 /// Models GridSearch: steps from the first start to the first goal, or fails.
 struct GridSearchArchetype {
@@ -165,7 +166,7 @@ struct GridSearchArchetype {
   std::optional<PlanError> error{};
 
   template <GridSpace S, Observer O>
-  Expected<detail::GridPath, Failure> run(const detail::LinkedQuery& linked,
+  Expected<detail::GridPath, Failure> run(const detail::GridQuery& linked,
                                           detail::SearchContext<S, O>& context) const {
     context.count_expanded(linked.start_cell);
     context.count_generated(context.query.goal);
@@ -202,35 +203,34 @@ TEST_CASE("a grid is searched by prices of any kind") {
   ObserverArchetype observer;
   const auto route =
       detail::graph_search(space, query, scratch, observer, PricesArchetype{},
-                           [](const detail::LinkedQuery&) { return [](Cell) { return Cost{0}; }; });
+                           [](const detail::GridQuery&) { return [](Cell) { return Cost{0}; }; });
   check_route(route, space);
   CHECK(route->cost == Approx(6));
 }
 
 /// Models JumpGuide.
 struct GuideArchetype {
-  using Open = detail::JumpHeap;
+  using Open = detail::BinaryHeap;
   Cost estimate(Cell) const { return 0; }
 };
 static_assert(detail::JumpGuide<GuideArchetype> && !detail::LookBackGuide<GuideArchetype>);
 static_assert(detail::JumpScanner<PlaneScanner> && !detail::PrefetchingScanner<PlaneScanner>);
-static_assert(!detail::JumpScanner<int> && !detail::JumpGuide<int> && !detail::JumpOpenList<int>);
-static_assert(!detail::WaveHeuristic<detail::GoalEstimate> &&
-              detail::WaveHeuristic<detail::ZeroHeuristic>);
+static_assert(!detail::JumpScanner<int> && !detail::JumpGuide<int> && !detail::OpenList<int>);
+static_assert(!detail::BucketHeuristic<detail::GoalEstimate> &&
+              detail::BucketHeuristic<detail::ZeroHeuristic>);
 
 TEST_CASE("jump point search takes guides of any kind") {
   const JumpArchetype space;
-  detail::JumpScratchWith<detail::JumpHeap> scratch;
+  detail::JumpScratchWith<detail::BinaryHeap> scratch;
   ObserverArchetype observer;
   const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
-  check_route(
-      detail::jump_search(
-          space, query, scanner, [](const detail::LinkedQuery&) { return GuideArchetype{}; },
-          scratch, observer, [](std::vector<Cell>&) {}),
-      space);
+  check_route(detail::jump_search(
+                  space, query, scanner, [](const detail::GridQuery&) { return GuideArchetype{}; },
+                  scratch, observer, [](std::vector<Cell>&) {}),
+              space);
 }
 
-/// Models OptimalTreeOptions.
+/// Models RewiredTreeOptions.
 struct TreeOptionsArchetype {
   std::optional<double> step{};
   double goal_bias = 0.5;
@@ -248,20 +248,20 @@ TEST_CASE("a tree grows by edge costs and samples of any kind") {
   const FreeArchetype space;
   const TreeOptionsArchetype options;
   ObserverArchetype observer;
-  detail::OptimalTreeScratch scratch;
+  detail::RewiredTreeScratch scratch;
   detail::TreeGrowth growth(space, query, options.step, observer);
   const EdgeCostArchetype cost;
-  detail::OptimalTree tree(growth, {options.neighbours, options.rewire_factor}, cost, scratch);
-  const auto route = detail::grow_route(tree, growth, options, [](double) { return query.goal; });
+  detail::RewiredTree tree(growth, {options.neighbours, options.rewire_factor}, cost, scratch);
+  const auto route = detail::grow(tree, growth, options, [](double) { return query.goal; });
   check_route(route, space);
   CHECK(route->cost == Approx(2 * route->curve.length()));
 }
 
-static_assert(detail::ConvexPieces<detail::RowRuns> &&
-              !detail::PiecesWithDeadEnds<detail::RowRuns>);
+static_assert(detail::ConvexPieces<detail::FreeRuns> &&
+              !detail::PiecesWithDeadEnds<detail::FreeRuns>);
 static_assert(detail::PiecesWithDeadEnds<NavigationMesh>);
-static_assert(detail::ReachEvaluation<detail::CellEvaluation>);
-static_assert(detail::PassageEvaluation<detail::MiddleEvaluation>);
-static_assert(!detail::ReachEvaluation<detail::MiddleEvaluation>);
+static_assert(detail::CellwiseEvaluation<detail::OctileCost>);
+static_assert(detail::ExitEvaluation<detail::MidpointCost>);
+static_assert(!detail::CellwiseEvaluation<detail::MidpointCost>);
 
 }  // namespace

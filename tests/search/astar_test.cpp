@@ -35,7 +35,7 @@ TEST_CASE(
       continue;
     }
     ++found;
-    // Link costs are rounded up to 1 / 13860 of a step.
+    // EndpointLink costs are rounded up to 1 / 13860 of a step.
     CHECK(a->cost == Approx(d->cost).epsilon(0).margin(2 * space.frame().resolution / 13860));
     astar_expanded += a->stats.expanded;
     dijkstra_expanded += d->stats.expanded;

@@ -66,15 +66,16 @@ struct Scratches {
 template <class S>
 void check_optimal_searches(const S& space, const Query& query, Scratches& scratch,
                             const std::optional<double>& expected, double tolerance) {
-  NoObserver nobody;
+  NoObserver no_observer;
   const auto check = [&](const auto& algorithm, auto& memory) {
     INFO(algorithm.name);
-    check_route(space, query, algorithm.search(space, query, memory, nobody), expected, tolerance);
+    check_route(space, query, algorithm.search(space, query, memory, no_observer), expected,
+                tolerance);
   };
   check(Dijkstra{}, scratch.dijkstra);
   check(AStar{}, scratch.astar);
-  check(AStar{.heuristic = Heuristic::euclidean}, scratch.astar);
-  check(AStar{.heuristic = Heuristic::chebyshev}, scratch.astar);
+  check(AStar{.heuristic = HeuristicKind::euclidean}, scratch.astar);
+  check(AStar{.heuristic = HeuristicKind::chebyshev}, scratch.astar);
   check(CanonicalAStar{}, scratch.canonical);
   check(BidirectionalAStar{}, scratch.bidirectional);
   check(PenaltyAStar{.turn_penalty = 0}, scratch.penalty);
@@ -83,7 +84,7 @@ void check_optimal_searches(const S& space, const Query& query, Scratches& scrat
     check(Jps{}, scratch.jps);
     check(JpsPlus{JpsPlus::prepare(space).value()}, scratch.jps_plus);
   } else {
-    const auto refused = Jps{}.search(space, query, scratch.jps, nobody);
+    const auto refused = Jps{}.search(space, query, scratch.jps, no_observer);
     REQUIRE_FALSE(refused);
     CHECK(refused.error().code == PlanError::invalid_option);
   }
@@ -141,7 +142,7 @@ TEST_CASE("every optimal search finds the explicit graph's cost between points o
       expected = distance(query.start, query.goal);
     }
     found += expected.has_value();
-    // Link costs are rounded up to 1 / 13860 of a step when paths are compared.
+    // EndpointLink costs are rounded up to 1 / 13860 of a step when paths are compared.
     check_optimal_searches(space, query, scratch, expected, 2.1 * space.frame().resolution / 13860);
   }
   CHECK(found > test::scaled(200) / 5);
@@ -151,7 +152,7 @@ TEST_CASE("searches with cell costs find the explicit graph's price") {
   const std::uint64_t seed = 420;
   Random random(seed);
   Scratches scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   std::size_t found = 0;
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
     INFO("seed " << seed << ", round " << round);
@@ -166,9 +167,10 @@ TEST_CASE("searches with cell costs find the explicit graph's price") {
     if (!space.is_free(query.start) || !space.is_free(query.goal)) continue;
     const auto expected = test::explicit_cost(space, query, costs.get());
     found += expected.has_value();
-    check_route(space, query, AStar{.costs = costs}.search(space, query, scratch.astar, nobody),
-                expected, 1e-7);
-    check_route(space, query, Dijkstra{costs}.search(space, query, scratch.dijkstra, nobody),
+    check_route(space, query,
+                AStar{.costs = costs}.search(space, query, scratch.astar, no_observer), expected,
+                1e-7);
+    check_route(space, query, Dijkstra{costs}.search(space, query, scratch.dijkstra, no_observer),
                 expected, 1e-7);
   }
   CHECK(found > test::scaled(100) / 4);
@@ -178,7 +180,7 @@ TEST_CASE("penalty A* minimises length plus penalty times turning") {
   const std::uint64_t seed = 430;
   Random random(seed);
   Scratches scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   std::size_t found = 0;
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
     INFO("seed " << seed << ", round " << round);
@@ -192,8 +194,9 @@ TEST_CASE("penalty A* minimises length plus penalty times turning") {
     const auto expected = test::explicit_cost(space, query, nullptr, penalty);
     found += expected.has_value();
     // The price of a turn is rounded to whole units of 0.5 m / 13860.
-    check_route(space, query, PenaltyAStar{penalty}.search(space, query, scratch.penalty, nobody),
-                expected, 0.01);
+    check_route(space, query,
+                PenaltyAStar{penalty}.search(space, query, scratch.penalty, no_observer), expected,
+                0.01);
   }
   CHECK(found > test::scaled(100) / 4);
 }
@@ -202,7 +205,7 @@ TEST_CASE("weighted A* keeps its bound, and A* by Manhattan distance that of sqr
   const std::uint64_t seed = 440;
   Random random(seed);
   Scratches scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   bool longer = false;
   std::size_t found = 0;
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
@@ -211,10 +214,10 @@ TEST_CASE("weighted A* keeps its bound, and A* by Manhattan distance that of sqr
     const Query query = test::random_query(random, space);
     if (!space.is_free(query.start) || !space.is_free(query.goal)) continue;
     const double weight = random.uniform(1, 4);
-    const auto best = AStar{}.search(space, query, scratch.astar, nobody);
-    const auto fast = WeightedAStar{weight}.search(space, query, scratch.weighted, nobody);
-    const auto greedy =
-        AStar{.heuristic = Heuristic::manhattan}.search(space, query, scratch.astar, nobody);
+    const auto best = AStar{}.search(space, query, scratch.astar, no_observer);
+    const auto fast = WeightedAStar{weight}.search(space, query, scratch.weighted, no_observer);
+    const auto greedy = AStar{.heuristic = HeuristicKind::manhattan}.search(
+        space, query, scratch.astar, no_observer);
     REQUIRE(best.has_value() == fast.has_value());
     REQUIRE(best.has_value() == greedy.has_value());
     if (!best) continue;
@@ -279,12 +282,12 @@ TEST_CASE("a path longer than 32 bits of cost units is found exactly") {
   const Query query{.start = space.frame().point({0, 0}),
                     .goal = space.frame().point({0, size - 1 - 1})};
   Scratches scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   // 512 rows of 1023 steps, and 511 times 2 steps to the next row.
   constexpr double length = 512.0 * 1023 + 511.0 * 2;
   const auto check = [&](const auto& algorithm, auto& memory) {
     INFO(algorithm.name);
-    const auto route = algorithm.search(space, query, memory, nobody);
+    const auto route = algorithm.search(space, query, memory, no_observer);
     REQUIRE(route);
     CHECK(route->cost == length);
   };
@@ -310,8 +313,8 @@ TEST_CASE("searches refuse options without a meaning") {
   const Query query{.start = {0.5, 0.5}, .goal = {2.5, 0.5}};
   const auto code = [&](const auto& algorithm) {
     typename std::decay_t<decltype(algorithm)>::Scratch scratch;
-    NoObserver nobody;
-    const auto route = algorithm.search(space, query, scratch, nobody);
+    NoObserver no_observer;
+    const auto route = algorithm.search(space, query, scratch, no_observer);
     REQUIRE_FALSE(route);
     return route.error().code;
   };
@@ -333,10 +336,10 @@ TEST_CASE("clearance costs keep paths away from walls") {
   CHECK((*costs)[{10, 1}] == 107);  // 32 x 4 x (1 - 0.5 / 3), rounded
   CHECK((*costs)[{10, 5}] == 0);
   AStar::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   const Query query{.start = space.frame().point({0, 1}), .goal = space.frame().point({20, 1})};
-  const auto close = AStar{}.search(space, query, scratch, nobody).value();
-  const auto far = AStar{.costs = costs}.search(space, query, scratch, nobody).value();
+  const auto close = AStar{}.search(space, query, scratch, no_observer).value();
+  const auto far = AStar{.costs = costs}.search(space, query, scratch, no_observer).value();
   CHECK(close.curve.length() == 20);
   CHECK(far.curve.length() > 20);
   CHECK(space.clearance(far.curve.at(far.curve.length() / 2).position) >= 3);
@@ -350,10 +353,10 @@ TEST_CASE("with cell costs the straight segment between points off the grid is n
   for (int y = 0; y < 5; ++y) costs->set({10, y}, 255);
   const Query query{.start = {0.75, 0.5}, .goal = {20.25, 0.5}};
   Scratches scratch;
-  NoObserver nobody;
-  const auto plain = AStar{}.search(space, query, scratch.astar, nobody).value();
+  NoObserver no_observer;
+  const auto plain = AStar{}.search(space, query, scratch.astar, no_observer).value();
   CHECK(plain.curve.length() == 19.5);
-  const auto dear = AStar{.costs = costs}.search(space, query, scratch.astar, nobody);
+  const auto dear = AStar{.costs = costs}.search(space, query, scratch.astar, no_observer);
   check_route(space, query, dear, test::explicit_cost(space, query, costs.get()), 1e-3);
   CHECK(dear->curve.length() > 19.5);
 }
@@ -364,7 +367,7 @@ TEST_CASE("every length of the MovingAI scenarios comes out") {
     const CellSpace& space = map.space;
     const JpsPlus jps_plus{JpsPlus::prepare(space).value()};
     Scratches scratch;
-    NoObserver nobody;
+    NoObserver no_observer;
     rows += map.rows.size();
     for (std::size_t i = 0; i < map.rows.size(); ++i) {
       const ScenarioRow& row = map.rows[i];
@@ -373,7 +376,7 @@ TEST_CASE("every length of the MovingAI scenarios comes out") {
       const double tolerance = 0.02 + 1e-5 * row.optimal_length;
       const auto check = [&](const auto& algorithm, auto& memory) {
         INFO(algorithm.name);
-        check_route(space, query, algorithm.search(space, query, memory, nobody),
+        check_route(space, query, algorithm.search(space, query, memory, no_observer),
                     row.optimal_length, tolerance);
       };
       check(AStar{}, scratch.astar);

@@ -31,7 +31,7 @@ TEST_CASE("samples of an ellipse lie in it and fill it evenly") {
 }
 
 TEST_CASE("informed samples make paths shorter than uniform ones do") {
-  NoObserver nobody;
+  NoObserver no_observer;
   InformedRrtStar::Scratch scratch;
   double informed = 0, uniform = 0;
   for (Scene scene : {maps::rrt_scene_1(), maps::rrt_scene_2()}) {
@@ -39,8 +39,8 @@ TEST_CASE("informed samples make paths shorter than uniform ones do") {
     const auto space = InflatedSpace::build(scene.workspace).value();
     Query query{.start = scene.start, .goal = scene.goals[0]};
     for (query.seed = 1; query.seed <= 10; ++query.seed) {
-      informed += InformedRrtStar{}.search(space, query, scratch, nobody)->cost;
-      uniform += RrtStar{}.search(space, query, scratch, nobody)->cost;
+      informed += InformedRrtStar{}.search(space, query, scratch, no_observer)->cost;
+      uniform += RrtStar{}.search(space, query, scratch, no_observer)->cost;
     }
   }
   CHECK(informed < uniform);

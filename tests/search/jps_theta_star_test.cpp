@@ -23,8 +23,8 @@ using namespace tutavia;
 
 TEST_CASE("JPS_Theta* keeps the searcher contract, whenever it uses lines of sight") {
   test::searcher_contract(JpsThetaStar{});
-  test::searcher_contract(JpsThetaStar{.lines_of_sight = SightUse::in_search});
-  test::searcher_contract(JpsThetaStar{.lines_of_sight = SightUse::never});
+  test::searcher_contract(JpsThetaStar{.lines_of_sight = LineOfSightUse::in_search});
+  test::searcher_contract(JpsThetaStar{.lines_of_sight = LineOfSightUse::never});
 }
 
 TEST_CASE("JPS_Theta* keeps its bound and gains by lines of sight on random grids", "[soak]") {
@@ -32,19 +32,19 @@ TEST_CASE("JPS_Theta* keeps its bound and gains by lines of sight on random grid
   Random random(seed);
   JpsThetaStar::Scratch scratch;
   AStar::Scratch grid_scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   std::size_t found = 0;
   double worst = 0, jumps = 0, after = 0, during = 0;
   for (std::size_t round = 0; round < test::scaled(300); ++round) {
     INFO("seed " << seed << ", round " << round);
     const auto space = CellSpace::build(test::random_grid(random, 60)).value();
     const Query query = test::random_query(random, space);
-    const auto shortest = AStar{}.search(space, query, grid_scratch, nobody);
-    const auto search = [&](SightUse use) {
-      return JpsThetaStar{.lines_of_sight = use}.search(space, query, scratch, nobody);
+    const auto shortest = AStar{}.search(space, query, grid_scratch, no_observer);
+    const auto search = [&](LineOfSightUse use) {
+      return JpsThetaStar{.lines_of_sight = use}.search(space, query, scratch, no_observer);
     };
-    const auto never = search(SightUse::never), pruned = search(SightUse::after_search),
-               looked = search(SightUse::in_search);
+    const auto never = search(LineOfSightUse::never), pruned = search(LineOfSightUse::after_search),
+               looked = search(LineOfSightUse::in_search);
     REQUIRE(never.has_value() == shortest.has_value());
     REQUIRE(pruned.has_value() == shortest.has_value());
     REQUIRE(looked.has_value() == shortest.has_value());
@@ -75,14 +75,15 @@ TEST_CASE("with weights of at most 1 JPS_Theta* finds shortest grid paths before
   Random random(531);
   JpsThetaStar::Scratch scratch;
   AStar::Scratch grid_scratch;
-  NoObserver nobody;
-  const JpsThetaStar exact{.far_weight = 1, .near_weight = 0.5, .lines_of_sight = SightUse::never};
+  NoObserver no_observer;
+  const JpsThetaStar exact{
+      .far_weight = 1, .near_weight = 0.5, .lines_of_sight = LineOfSightUse::never};
   std::size_t found = 0;
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
     const auto space = CellSpace::build(test::random_grid(random, 40)).value();
     const Query query = test::random_query(random, space);
-    const auto shortest = AStar{}.search(space, query, grid_scratch, nobody);
-    const auto route = exact.search(space, query, scratch, nobody);
+    const auto shortest = AStar{}.search(space, query, grid_scratch, no_observer);
+    const auto route = exact.search(space, query, scratch, no_observer);
     REQUIRE(route.has_value() == shortest.has_value());
     if (!route) continue;
     ++found;
@@ -113,16 +114,17 @@ TEST_CASE("the map of the JPS_Theta* paper") {
   const auto space = CellSpace::build(grid).value();
   const Query query{.start = space.frame().point(Cell{0, 0}),
                     .goal = space.frame().point(Cell{28, 19})};
-  NoObserver nobody;
+  NoObserver no_observer;
   AStar::Scratch grid_scratch;
   JpsThetaStar::Scratch scratch;
-  const auto astar = AStar{}.search(space, query, grid_scratch, nobody).value();
+  const auto astar = AStar{}.search(space, query, grid_scratch, no_observer).value();
   CHECK(astar.cost == Approx(25 + 11 * std::sqrt(2.0)));  // 40.55, as the paper prints it
-  const auto never =
-      JpsThetaStar{.lines_of_sight = SightUse::never}.search(space, query, scratch, nobody).value();
-  const auto pruned = JpsThetaStar{}.search(space, query, scratch, nobody).value();
-  const auto looked = JpsThetaStar{.lines_of_sight = SightUse::in_search}
-                          .search(space, query, scratch, nobody)
+  const auto never = JpsThetaStar{.lines_of_sight = LineOfSightUse::never}
+                         .search(space, query, scratch, no_observer)
+                         .value();
+  const auto pruned = JpsThetaStar{}.search(space, query, scratch, no_observer).value();
+  const auto looked = JpsThetaStar{.lines_of_sight = LineOfSightUse::in_search}
+                          .search(space, query, scratch, no_observer)
                           .value();
   const auto text = [](const Route& route) {
     return std::to_string(route.curve.length()) + " m, " +
@@ -140,11 +142,11 @@ TEST_CASE("the map of the JPS_Theta* paper") {
 TEST_CASE("JPS_Theta* refuses weights that are none, and other movement rules") {
   const auto space = CellSpace::build(OccupancyGrid::blocked(3, 3).value()).value();
   JpsThetaStar::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   for (const double weight : {-1.0, 1e300, std::nan("")}) {
     for (const JpsThetaStar& bad :
          {JpsThetaStar{.far_weight = weight}, JpsThetaStar{.near_weight = weight}}) {
-      const auto route = bad.search(space, {.start = {1, 1}, .goal = {1, 1}}, scratch, nobody);
+      const auto route = bad.search(space, {.start = {1, 1}, .goal = {1, 1}}, scratch, no_observer);
       REQUIRE_FALSE(route);
       CHECK(route.error().code == PlanError::invalid_option);
     }
@@ -153,7 +155,7 @@ TEST_CASE("JPS_Theta* refuses weights that are none, and other movement rules") 
       CellSpace::build(OccupancyGrid::blocked(3, 3).value(), {.movement = MovementRule::allow})
           .value();
   CHECK(JpsThetaStar{}
-            .search(other, {.start = {1, 1}, .goal = {1, 1}}, scratch, nobody)
+            .search(other, {.start = {1, 1}, .goal = {1, 1}}, scratch, no_observer)
             .error()
             .code == PlanError::invalid_option);
 }

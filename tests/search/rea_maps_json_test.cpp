@@ -21,10 +21,10 @@ TEST_CASE("rectangle expansion on the maps of its paper, safety buffer included"
     INFO("map " << maps[i].name);
     CHECK(maps[i].buffered().exempted.empty());
     const test::PaperTask task = maps[i].task();
-    NoObserver nobody;
+    NoObserver no_observer;
     const auto check = [&](const auto& search) {
       typename std::decay_t<decltype(search)>::Scratch scratch;
-      const auto route = search.search(task.space, task.query, scratch, nobody);
+      const auto route = search.search(task.space, task.query, scratch, no_observer);
       REQUIRE(route);
       CHECK(test::is_free(task.space, *route));
       CHECK(route->curve.length() <= 1.25 * shortest[i]);

@@ -23,7 +23,7 @@ TEST_CASE("REA* finds a path where there is one, no longer than the shortest on 
   Random random(seed);
   ReaStar::Scratch scratch;
   Dijkstra::Scratch reference;
-  NoObserver nobody;
+  NoObserver no_observer;
   std::size_t found = 0, expanded = 0, of_dijkstra = 0;
   double shorter = 0;
   for (std::size_t round = 0; round < test::scaled(500); ++round) {
@@ -31,8 +31,8 @@ TEST_CASE("REA* finds a path where there is one, no longer than the shortest on 
     const auto space =
         CellSpace::build(test::random_grid(random, round % 2 == 0 ? 12 : 60)).value();
     const Query query = test::random_query(random, space);
-    const auto shortest = Dijkstra{}.search(space, query, reference, nobody);
-    const auto route = ReaStar{}.search(space, query, scratch, nobody);
+    const auto shortest = Dijkstra{}.search(space, query, reference, no_observer);
+    const auto route = ReaStar{}.search(space, query, scratch, no_observer);
     REQUIRE(route.has_value() == shortest.has_value());
     if (!shortest) {
       CHECK(route.error().code == shortest.error().code);
@@ -58,9 +58,9 @@ TEST_CASE("REA* is defined for one movement rule") {
       CellSpace::build(OccupancyGrid::blocked(3, 3).value(), {.movement = MovementRule::allow})
           .value();
   ReaStar::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   const auto refused =
-      ReaStar{}.search(space, {.start = {0.5, 0.5}, .goal = {1, 1}}, scratch, nobody);
+      ReaStar{}.search(space, {.start = {0.5, 0.5}, .goal = {1, 1}}, scratch, no_observer);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().code == PlanError::invalid_option);
 }

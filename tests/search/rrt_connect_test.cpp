@@ -13,7 +13,7 @@ TEST_CASE("RrtConnect keeps the contracts of searchers and of trees", "[soak]") 
 }
 
 TEST_CASE("two trees need fewer iterations than one") {
-  NoObserver nobody;
+  NoObserver no_observer;
   std::uint64_t one = 0, two = 0;
   for (const Scene& scene : test::sampling_scenes()) {
     const auto space = InflatedSpace::build(scene.workspace).value();
@@ -21,8 +21,8 @@ TEST_CASE("two trees need fewer iterations than one") {
       const Query query{.start = scene.start, .goal = scene.goals.back(), .seed = seed};
       Rrt::Scratch tree;
       RrtConnect::Scratch trees;
-      one += Rrt{}.search(space, query, tree, nobody)->stats.expanded;
-      two += RrtConnect{}.search(space, query, trees, nobody)->stats.expanded;
+      one += Rrt{}.search(space, query, tree, no_observer)->stats.expanded;
+      two += RrtConnect{}.search(space, query, trees, no_observer)->stats.expanded;
     }
   }
   CHECK(2 * two < one);

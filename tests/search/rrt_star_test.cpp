@@ -35,14 +35,14 @@ TEST_CASE("neighbour rules are those of Karaman and Frazzoli") {
 double median_ratio(std::uint32_t iterations, const Scene& scene, detail::Neighbours neighbours) {
   const auto space = InflatedSpace::build(scene.workspace).value();
   Query query{.start = scene.start, .goal = scene.goals[0]};
-  NoObserver nobody;
+  NoObserver no_observer;
   TangentGraph::Scratch tangents;
-  const double optimum = TangentGraph{}.search(space, query, tangents, nobody)->cost;
+  const double optimum = TangentGraph{}.search(space, query, tangents, no_observer)->cost;
   RrtStar::Scratch scratch;
   std::vector<double> ratios;
   for (query.seed = 1; query.seed <= 5; ++query.seed) {
     const RrtStar search{.iterations = iterations, .neighbours = neighbours};
-    ratios.push_back(search.search(space, query, scratch, nobody)->cost / optimum);
+    ratios.push_back(search.search(space, query, scratch, no_observer)->cost / optimum);
     CHECK(ratios.back() >= 1 - 1e-9);
   }
   std::sort(ratios.begin(), ratios.end());
@@ -82,7 +82,7 @@ class PlainRrtStar {
         target.y() = random_.uniform(b.min.y(), b.max.y());
       }
       const auto nearest = by_distance(target)[0];
-      const Point from = nodes_[nearest].place, end = detail::steered(from, target, step_);
+      const Point from = nodes_[nearest].place, end = detail::steer(from, target, step_);
       if (end == from || !space_.segment_free(from, end)) continue;
       insert(end, nearest);
       const auto last = static_cast<detail::SearchTree::Node>(nodes_.size() - 1);
@@ -177,8 +177,8 @@ TEST_CASE("the tree is that of RRT* as it is printed, to the bit", "[soak]") {
       INFO(scene.name << ", seed " << seed);
       const Query query{.start = scene.start, .goal = scene.goals[0], .seed = seed};
       RrtStar::Scratch scratch;
-      NoObserver nobody;
-      static_cast<void>(RrtStar{.iterations = 1000}.search(space, query, scratch, nobody));
+      NoObserver no_observer;
+      static_cast<void>(RrtStar{.iterations = 1000}.search(space, query, scratch, no_observer));
       PlainRrtStar plain(space, query, step);
       plain.run(1000);
       plain.check_same(scratch.tree);
@@ -191,20 +191,22 @@ TEST_CASE("at the end of its budget RrtStar gives the best path it has") {
   const auto space = InflatedSpace::build(scene.workspace).value();
   Query query{.start = scene.start, .goal = scene.goals[0]};
   RrtStar::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   const RrtStar endless{.iterations = 4000000000u};
   query.budget.max_expansions = 3000;
-  const auto limited = endless.search(space, query, scratch, nobody);
+  const auto limited = endless.search(space, query, scratch, no_observer);
   REQUIRE(limited);
   CHECK(limited->stats.expanded == 3000);
   query.budget = {};
-  CHECK(test::same_curve(limited->curve, RrtStar{}.search(space, query, scratch, nobody)->curve));
+  CHECK(test::same_curve(limited->curve,
+                         RrtStar{}.search(space, query, scratch, no_observer)->curve));
   query.budget = Budget::for_seconds(0.05);
-  const auto in_time = endless.search(space, query, scratch, nobody);
+  const auto in_time = endless.search(space, query, scratch, no_observer);
   REQUIRE(in_time);
   CHECK(certify(space, in_time->curve).status == ProofStatus::proved);
   query.budget.max_expansions = 10;
-  CHECK(endless.search(space, query, scratch, nobody).error().code == PlanError::budget_exhausted);
+  CHECK(endless.search(space, query, scratch, no_observer).error().code ==
+        PlanError::budget_exhausted);
 }
 
 /// Asks to stop when the first path is found.

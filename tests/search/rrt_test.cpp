@@ -18,9 +18,10 @@ TEST_CASE("no edge of a tree is longer than the step, and the path bends at its 
   const auto space = InflatedSpace::build(scene.workspace).value();
   const Query query{.start = scene.start, .goal = scene.goals[3]};
   Rrt::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   for (const double step : {0.3, 1.0, 22.0}) {
-    const auto route = Rrt{.step = step, .iterations = 20000}.search(space, query, scratch, nobody);
+    const auto route =
+        Rrt{.step = step, .iterations = 20000}.search(space, query, scratch, no_observer);
     REQUIRE(route);
     std::size_t edges = 0;
     scratch.for_each_edge([&](const Point& from, const Point& to) {
@@ -37,11 +38,11 @@ TEST_CASE("a tree that only grows towards the goal gets stuck behind an obstacle
   const auto space = InflatedSpace::build(scene.workspace).value();
   const Query query{.start = scene.start, .goal = scene.goals[0]};
   Rrt::Scratch scratch;
-  NoObserver nobody;
-  const auto stuck = Rrt{.goal_bias = 1}.search(space, query, scratch, nobody);
+  NoObserver no_observer;
+  const auto stuck = Rrt{.goal_bias = 1}.search(space, query, scratch, no_observer);
   REQUIRE_FALSE(stuck);
   CHECK(stuck.error().code == PlanError::budget_exhausted);
-  CHECK(Rrt{.goal_bias = 0}.search(space, query, scratch, nobody));
+  CHECK(Rrt{.goal_bias = 0}.search(space, query, scratch, no_observer));
 }
 
 TEST_CASE("the distance that a tree kept from the goal is told") {
@@ -50,9 +51,9 @@ TEST_CASE("the distance that a tree kept from the goal is told") {
                                            .obstacles = {Polygon{{{5, -1}, {5, 11}}}}})
                          .value();
   Rrt::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   const auto none = Rrt{.step = 4, .goal_bias = 0.5}.search(
-      space, {.start = {1, 5}, .goal = {9, 5}}, scratch, nobody);
+      space, {.start = {1, 5}, .goal = {9, 5}}, scratch, no_observer);
   REQUIRE_FALSE(none);
   const std::string& detail = none.error().detail;
   CHECK(detail.find("no path after 3000 iterations; the tree comes within 5.") == 0);

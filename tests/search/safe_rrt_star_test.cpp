@@ -20,8 +20,8 @@ TEST_CASE("SafeRrtStar keeps the contracts of searchers and of trees", "[soak]")
 Expected<Route, Failure> search(const SafeRrtStar& algorithm, const InflatedSpace& space,
                                 const Query& query) {
   SafeRrtStar::Scratch scratch;
-  NoObserver nobody;
-  return algorithm.search(space, query, scratch, nobody);
+  NoObserver no_observer;
+  return algorithm.search(space, query, scratch, no_observer);
 }
 
 TEST_CASE("where there is a path outside the risk zones it is taken, and costs its length") {
@@ -69,9 +69,9 @@ TEST_CASE(
   CHECK(route->cost == Approx(route->curve.length() + 5 * risk.value).margin(5 * 0.02 * 20));
   // RRT* for length alone cuts the corners of the door, at more risk.
   RrtStar::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   const auto shortest =
-      RrtStar{.step = 2, .iterations = 2000}.search(space, query, scratch, nobody);
+      RrtStar{.step = 2, .iterations = 2000}.search(space, query, scratch, no_observer);
   REQUIRE(shortest);
   CHECK(shortest->curve.length() < route->curve.length());
   CHECK(zone.integral(space, shortest->curve).value > risk.value);

@@ -28,7 +28,7 @@ TEST_CASE("SSA-A* keeps its bound on random grids and finds a path where there i
   Random random(seed);
   SsaAStar::Scratch scratch;
   AStar::Scratch reference;
-  NoObserver nobody;
+  NoObserver no_observer;
   std::size_t found = 0;
   double worst = 0;
   for (std::size_t round = 0; round < test::scaled(500); ++round) {
@@ -38,8 +38,8 @@ TEST_CASE("SSA-A* keeps its bound on random grids and finds a path where there i
             .value();
     const Query query = test::random_query(random, space);
     const SsaWeights w{random.uniform(0, 2), random.uniform(0, 2), random.uniform(0, 1)};
-    const auto shortest = AStar{}.search(space, query, reference, nobody);
-    const auto route = SsaAStar{w}.search(space, query, scratch, nobody);
+    const auto shortest = AStar{}.search(space, query, reference, no_observer);
+    const auto route = SsaAStar{w}.search(space, query, scratch, no_observer);
     REQUIRE(route.has_value() == shortest.has_value());
     if (!shortest) continue;
     ++found;
@@ -79,14 +79,14 @@ TEST_CASE("weights tuned on some grids save expansions on others of their kind")
     double expanded = 0, of_euclidean = 0, of_octile = 0, length = 0, shortest = 0;
     SsaAStar::Scratch scratch;
     AStar::Scratch other;
-    NoObserver nobody;
+    NoObserver no_observer;
     for (std::size_t i = 0; i < large.spaces.size(); ++i) {
       const auto& space = large.spaces[i];
       const auto& query = large.queries[i];
-      const auto route = SsaAStar{w}.search(space, query, scratch, nobody);
+      const auto route = SsaAStar{w}.search(space, query, scratch, no_observer);
       const auto euclidean =
-          AStar{.heuristic = Heuristic::euclidean}.search(space, query, other, nobody);
-      const auto octile = AStar{}.search(space, query, other, nobody);
+          AStar{.heuristic = HeuristicKind::euclidean}.search(space, query, other, no_observer);
+      const auto octile = AStar{}.search(space, query, other, no_observer);
       REQUIRE((route && euclidean && octile));
       expanded += double(route->stats.expanded);
       of_euclidean += double(euclidean->stats.expanded);
@@ -113,8 +113,8 @@ TEST_CASE("SSA-A* and its training refuse what they cannot use") {
   const PaperSet set("random_20");
   const auto refused = [&](const SsaWeights& w) {
     SsaAStar::Scratch scratch;
-    NoObserver nobody;
-    const auto route = SsaAStar{w}.search(set.spaces[0], set.queries[0], scratch, nobody);
+    NoObserver no_observer;
+    const auto route = SsaAStar{w}.search(set.spaces[0], set.queries[0], scratch, no_observer);
     REQUIRE_FALSE(route);
     return route.error().code;
   };

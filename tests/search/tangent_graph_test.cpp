@@ -28,21 +28,21 @@ using std::numbers::pi;
 Expected<Route, Failure> search(const InflatedSpace& space, const Query& query,
                                 const TangentGraph& graph = {}) {
   TangentScratch scratch;
-  NoObserver nobody;
-  return graph.search(space, query, scratch, nobody);
+  NoObserver no_observer;
+  return graph.search(space, query, scratch, no_observer);
 }
 
 TEST_CASE("ways of a prepared map are proved tangents, each also the other way round") {
   const Scene scene = maps::complex();
   const auto space = InflatedSpace::build(scene.workspace).value();
-  const TangentMap map = TangentMap::prepare(space).value();
-  CHECK_FALSE(TangentMap(space).is_prepared());
-  CHECK(map.memory() > TangentMap(space).memory());
+  const TangentVisibilityGraph map = TangentVisibilityGraph::prepare(space).value();
+  CHECK_FALSE(TangentVisibilityGraph(space).is_prepared());
+  CHECK(map.memory() > TangentVisibilityGraph(space).memory());
   std::size_t ways = 0;
-  for (TangentMap::Node from = 0; from < map.nodes(); ++from) {
-    for (const TangentMap::Node to : map.ways(from)) {
+  for (TangentVisibilityGraph::Node from = 0; from < map.nodes(); ++from) {
+    for (const TangentVisibilityGraph::Node to : map.ways(from)) {
       ++ways;
-      const auto way = detail::bitangent(map.circle(from), map.circle(to));
+      const auto way = detail::tangent_line(map.circle(from), map.circle(to));
       REQUIRE(way);
       CHECK(is_proved_free(space, Segment{way->from, way->to}));
       const auto back = map.ways(to ^ 1u);
@@ -52,7 +52,7 @@ TEST_CASE("ways of a prepared map are proved tangents, each also the other way r
   CHECK(ways > 100);
   Scene other = maps::maze();
   CHECK_FALSE(map.matches(InflatedSpace::build(other.workspace).value()));
-  CHECK_FALSE(TangentMap::prepare(space, Budget::for_seconds(-1)));
+  CHECK_FALSE(TangentVisibilityGraph::prepare(space, Budget::for_seconds(-1)));
 }
 
 TEST_CASE("TangentGraph keeps the searcher contract") {
@@ -68,7 +68,7 @@ class BruteForce {
   BruteForce(const InflatedSpace& space, const Point& start, const Point& goal) : space_(space) {
     circles_.push_back({start, 0, 1});
     circles_.push_back({goal, 0, 1});
-    const double r = space.safety_radius() + 4 * space.slack();
+    const double r = space.safety_radius() + 4 * space.distance_error_bound();
     for (const Obstacle& obstacle : space.workspace().obstacles) {
       if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
         add(disc->center, disc->radius + r);
@@ -82,8 +82,9 @@ class BruteForce {
     }
     for (std::size_t i = 0; i < circles_.size(); ++i) {
       for (std::size_t j = 0; j < circles_.size(); ++j) {
-        const auto way =
-            i == j || i == 1 || j == 0 ? std::nullopt : detail::bitangent(circles_[i], circles_[j]);
+        const auto way = i == j || i == 1 || j == 0
+                             ? std::nullopt
+                             : detail::tangent_line(circles_[i], circles_[j]);
         if (way && is_proved_free(space, Segment{way->from, way->to})) {
           ways_.push_back({i, j, *way});
         }
@@ -104,10 +105,10 @@ class BruteForce {
       open.pop();
       if (cost > best[w]) continue;
       if (ways_[w].to == 1) return cost;
-      const detail::SidedCircle& circle = circles_[ways_[w].to];
+      const detail::OrientedCircle& circle = circles_[ways_[w].to];
       for (std::size_t v = 0; v < ways_.size(); ++v) {
         if (ways_[v].from != ways_[w].to) continue;
-        double turn = circle.side * deflection(ways_[w].way.direction, ways_[v].way.direction);
+        double turn = circle.side * turn_angle(ways_[w].way.direction, ways_[v].way.direction);
         if (turn < -1e-9) turn += 2 * pi;
         const double next = cost + circle.radius * std::fmax(turn, 0) + ways_[v].way.length;
         if (!(next < best[v]) || !is_free(circle, ways_[w].way.to, ways_[v].way.from, turn)) {
@@ -122,15 +123,15 @@ class BruteForce {
  private:
   struct Way {
     std::size_t from, to;
-    detail::Bitangent way;
+    detail::TangentLine way;
   };
 
   void add(const Point& center, double radius) {
     for (const int side : {1, -1}) circles_.push_back({center, radius, side});
   }
-  bool is_free(const detail::SidedCircle& circle, const Point& in, const Point& out,
+  bool is_free(const detail::OrientedCircle& circle, const Point& in, const Point& out,
                double turn) const {
-    if (distance(in, out) <= space_.slack()) return true;
+    if (distance(in, out) <= space_.distance_error_bound()) return true;
     Arc arc =
         Arc::around(circle.center, circle.radius, heading(in - circle.center), circle.side * turn);
     arc.a = in;
@@ -139,7 +140,7 @@ class BruteForce {
   }
 
   const InflatedSpace& space_;
-  std::vector<detail::SidedCircle> circles_;
+  std::vector<detail::OrientedCircle> circles_;
   std::vector<Way> ways_;
 };
 
@@ -283,7 +284,7 @@ TEST_CASE("bad bounds, radius 0 and bad ends are refused") {
   };
   CHECK(code(search(space, across, {.bound = std::nan("")})) == PlanError::invalid_option);
   CHECK(code(search(space_with({}, 0), across)) == PlanError::invalid_option);
-  const auto unprepared = std::make_shared<const TangentMap>(space);
+  const auto unprepared = std::make_shared<const TangentVisibilityGraph>(space);
   CHECK(code(search(space, across, {.tangents = unprepared})) == PlanError::invalid_option);
   CHECK(code(search(space, {.start = {0, 1}, .goal = {4, 0}})) == PlanError::start_blocked);
   CHECK(code(search(space, {.start = {4, 0}, .goal = {99, 0}})) == PlanError::goal_out_of_bounds);

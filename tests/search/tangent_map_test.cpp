@@ -25,17 +25,19 @@ InflatedSpace space_of(const Workspace& workspace) {
   return InflatedSpace::build(workspace).value();
 }
 
-TangentMap prepared(const Workspace& workspace) {
-  return TangentMap::prepare(space_of(workspace)).value();
+TangentVisibilityGraph prepared(const Workspace& workspace) {
+  return TangentVisibilityGraph::prepare(space_of(workspace)).value();
 }
 
-TangentMap updated(const TangentMap& map, const Workspace& before, const Workspace& after) {
+TangentVisibilityGraph updated(const TangentVisibilityGraph& map, const Workspace& before,
+                               const Workspace& after) {
   return map.updated(space_of(after), changed_boxes(before, after)).value();
 }
 
-std::size_t count_ways(const TangentMap& map) {
+std::size_t count_ways(const TangentVisibilityGraph& map) {
   std::size_t count = 0;
-  for (TangentMap::Node node = 0; node < map.nodes(); ++node) count += map.ways(node).size();
+  for (TangentVisibilityGraph::Node node = 0; node < map.nodes(); ++node)
+    count += map.ways(node).size();
   return count;
 }
 
@@ -142,7 +144,7 @@ TEST_CASE("updated tangents are those prepared anew, in random worlds that chang
   for (std::size_t round = 0; round < test::scaled(60); ++round) {
     INFO("seed " << seed << ", round " << round);
     Workspace world = worlds.workspace();
-    TangentMap map = prepared(world);
+    TangentVisibilityGraph map = prepared(world);
     for (int step = 0; step < 5; ++step) {  // each map from the one before it
       Workspace next = world;
       const char* kind = change(next, worlds);
@@ -150,7 +152,7 @@ TEST_CASE("updated tangents are those prepared anew, in random worlds that chang
       if (!validate(next)) continue;
       INFO("step " << step << ": " << kind);
       const InflatedSpace after = space_of(next);
-      const TangentMap anew = TangentMap::prepare(after).value();
+      const TangentVisibilityGraph anew = TangentVisibilityGraph::prepare(after).value();
       map = updated(map, world, next);
       REQUIRE(map == anew);
       CHECK(map.matches(after));
@@ -163,10 +165,11 @@ TEST_CASE("updated tangents are those prepared anew, in random worlds that chang
     const InflatedSpace space = space_of(world);
     const Query query{.start = worlds.point(world), .goal = worlds.point(world)};
     TangentScratch scratch;
-    NoObserver nobody;
-    const auto route = TangentGraph{}.search(space, query, scratch, nobody);
-    const TangentGraph graph{.tangents = std::make_shared<const TangentMap>(std::move(map))};
-    const auto again = graph.search(space, query, scratch, nobody);
+    NoObserver no_observer;
+    const auto route = TangentGraph{}.search(space, query, scratch, no_observer);
+    const TangentGraph graph{.tangents =
+                                 std::make_shared<const TangentVisibilityGraph>(std::move(map))};
+    const auto again = graph.search(space, query, scratch, no_observer);
     REQUIRE(again.has_value() == route.has_value());
     if (route) {
       ++routes;
@@ -191,8 +194,8 @@ const Disc west{{-6, 0}, 1}, east{{6, 0}, 1};
 TEST_CASE("what stood between two circles opens their ways when it goes, and bars them again") {
   const Workspace open = with({west, east});
   const Workspace barred = with({west, rectangle({{-1, -8}, {1, 8}}), east});
-  const TangentMap before = prepared(barred);
-  const TangentMap after = updated(before, barred, open);
+  const TangentVisibilityGraph before = prepared(barred);
+  const TangentVisibilityGraph after = updated(before, barred, open);
   CHECK(after.ways(0).size() == 2);  // to both sides of the other disc
   CHECK(after == prepared(open));
   CHECK(updated(after, open, barred) == before);
@@ -201,7 +204,7 @@ TEST_CASE("what stood between two circles opens their ways when it goes, and bar
 TEST_CASE("an obstacle that holds all the bounds bars every way, though no edge of it is near") {
   const Workspace open = with({west, east});
   const Workspace covered = with({west, east, rectangle({{-10.25, -90}, {90, 90}})});
-  const TangentMap before = prepared(open);
+  const TangentVisibilityGraph before = prepared(open);
   CHECK(count_ways(before) == 8);
   CHECK(count_ways(updated(before, open, covered)) == 0);
 }
@@ -210,8 +213,8 @@ TEST_CASE("a hole that becomes an obstacle of its own bars the ways in it") {
   const Ring outer{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, inner{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}};
   const Workspace ring = with({Polygon{outer, {inner}}, west, east});
   const Workspace solid = with({Polygon{outer}, Polygon{inner}, west, east});
-  const TangentMap before = prepared(ring);
-  const TangentMap after = updated(before, ring, solid);
+  const TangentVisibilityGraph before = prepared(ring);
+  const TangentVisibilityGraph after = updated(before, ring, solid);
   CHECK(count_ways(after) < count_ways(before));
   CHECK(after == prepared(solid));
 }
@@ -220,20 +223,20 @@ TEST_CASE("ways far from the changes are taken over without a proof") {
   // Boxes that leave out what changed show it: the way through the new wall is still there.
   const Workspace open = with({west, east});
   const Workspace barred = with({west, rectangle({{-1, -8}, {1, 8}}), east});
-  const TangentMap before = prepared(open);
+  const TangentVisibilityGraph before = prepared(open);
   const Box elsewhere[] = {{{-1, 8}, {1, 9}}};
-  const TangentMap wrong = before.updated(space_of(barred), elsewhere).value();
+  const TangentVisibilityGraph wrong = before.updated(space_of(barred), elsewhere).value();
   CHECK_FALSE(wrong == prepared(barred));
   // With more boxes than it pays to look at, everything is prepared.
-  const std::vector<Box> many(TangentMap::most_boxes + 1, elsewhere[0]);
+  const std::vector<Box> many(TangentVisibilityGraph::most_boxes + 1, elsewhere[0]);
   CHECK(*before.updated(space_of(barred), many) == prepared(barred));
 }
 
 TEST_CASE("an update starts from nothing, keeps to its budget and works on cells") {
   const Workspace open = with({west, east});
   const InflatedSpace space = space_of(open);
-  const TangentMap ready = TangentMap::prepare(space).value();
-  CHECK(*TangentMap(space).updated(space, {}) == ready);
+  const TangentVisibilityGraph ready = TangentVisibilityGraph::prepare(space).value();
+  CHECK(*TangentVisibilityGraph(space).updated(space, {}) == ready);
   CHECK(*ready.updated(space, {}) == ready);
   const auto late = ready.updated(space, {}, Budget::for_seconds(-1));
   REQUIRE_FALSE(late);
@@ -243,10 +246,10 @@ TEST_CASE("an update starts from nothing, keeps to its budget and works on cells
   for (int y = 0; y < 20; ++y) cells.set_run(y, 0, 19, true);
   for (const Cell cell : {Cell{4, 4}, Cell{12, 5}, Cell{9, 14}}) cells.set(cell, false);
   const auto space_among = [&] { return CellSpace::build(cells, {.safety_radius = 0.4}).value(); };
-  const TangentMap before = TangentMap::prepare(space_among()).value();
+  const TangentVisibilityGraph before = TangentVisibilityGraph::prepare(space_among()).value();
   cells.set({8, 8}, false);
   const Box changed[] = {{{8, 8}, {9, 9}}};
-  CHECK(*before.updated(space_among(), changed) == *TangentMap::prepare(space_among()));
+  CHECK(*before.updated(space_among(), changed) == *TangentVisibilityGraph::prepare(space_among()));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void check_on_cells(const A& algorithm, std::uint64_t seed, double largest_ratio
   Random random(seed);
   typename A::Scratch scratch;
   AStar::Scratch grid_scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   double length = 0, grid_length = 0;
   std::size_t found = 0;
   for (std::size_t round = 0; round < test::scaled(300); ++round) {
@@ -43,8 +43,8 @@ void check_on_cells(const A& algorithm, std::uint64_t seed, double largest_ratio
       return random.below(2) == 0 ? p : Point(p.x() + random.uniform(-0.4, 0.4), p.y() + 0.25);
     };
     const Query query{.start = place(), .goal = place()};
-    const auto expected = AStar{}.search(space, query, grid_scratch, nobody);
-    const auto route = algorithm.search(space, query, scratch, nobody);
+    const auto expected = AStar{}.search(space, query, grid_scratch, no_observer);
+    const auto route = algorithm.search(space, query, scratch, no_observer);
     REQUIRE(route.has_value() == expected.has_value());
     if (!route) {
       CHECK(route.error().code == expected.error().code);
@@ -73,12 +73,15 @@ TEST_CASE("on an empty grid the path is one segment") {
   OccupancyGrid grid = OccupancyGrid::blocked(80, 30).value();
   for (int y = 0; y < 30; ++y) grid.set_run(y, 0, 79, true);
   const auto space = CellSpace::build(grid).value();
-  NoObserver nobody;
+  NoObserver no_observer;
   ThetaStar::Scratch scratch;
   for (const Cell goal : {Cell{79, 29}, Cell{1, 28}, Cell{79, 0}, Cell{0, 1}, Cell{0, 0}}) {
     const Query query{.start = space.frame().point(Cell{0, 0}), .goal = space.frame().point(goal)};
-    CHECK(ThetaStar{}.search(space, query, scratch, nobody).value().curve.pieces().size() == 1);
-    CHECK(LazyThetaStar{}.search(space, query, scratch, nobody).value().curve.pieces().size() == 1);
+    CHECK(ThetaStar{}.search(space, query, scratch, no_observer).value().curve.pieces().size() ==
+          1);
+    CHECK(
+        LazyThetaStar{}.search(space, query, scratch, no_observer).value().curve.pieces().size() ==
+        1);
   }
 }
 

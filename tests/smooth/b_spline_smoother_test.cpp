@@ -24,7 +24,7 @@ TEST_CASE("a B-spline runs along the pruned route, with a reach in spacings of t
   REQUIRE(route);
   const Curve pruned = RedundantNodeRemoval{}.smooth(space, route->curve, {}).value();
   const Curve curve = BSplineSmoother{.reach = 2}.smooth(space, route->curve, {}).value();
-  const Curve expected = detail::CornerSpline(joints(pruned), 0.2).prove(space, {}).value();
+  const Curve expected = detail::CornerSpline(waypoints(pruned), 0.2).prove(space, {}).value();
   CHECK(test::same_curve(curve, expected));
   CHECK(curve.length() < route->curve.length());
 }

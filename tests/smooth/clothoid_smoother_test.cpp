@@ -180,7 +180,7 @@ TEST_CASE("paths of continuous curvature through random worlds are proved", "[so
         if (length > 0) shortest = std::min(shortest, length);
       }
       CHECK(after.max_joint_deflection <=
-            before.max_joint_deflection + 1e-9 + space.slack() / shortest);
+            before.max_joint_deflection + 1e-9 + space.distance_error_bound() / shortest);
       if (before.max_joint_deflection < 1e-9) {
         CHECK(after.max_curvature <= before.max_curvature * (1 + 1e-9));
       }

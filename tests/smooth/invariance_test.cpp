@@ -24,7 +24,7 @@ std::vector<Point> pruned_both_ways(const InflatedSpace& space, std::vector<Poin
   for (std::size_t before = 0; before != route.size();) {
     before = route.size();
     for (int i = 0; i < 2; ++i) {
-      route = joints(RedundantNodeRemoval{}.smooth(space, Curve::polyline(route), {}).value());
+      route = waypoints(RedundantNodeRemoval{}.smooth(space, Curve::polyline(route), {}).value());
       std::reverse(route.begin(), route.end());
     }
   }
@@ -53,7 +53,7 @@ void check_invariance(const Make& smoother) {
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
     INFO("seed " << seed << ", round " << round);
     auto task = test::random_task(worlds);
-    if (!task || task->world.bounds.magnitude() > 100) continue;
+    if (!task || task->world.bounds.largest_coordinate() > 100) continue;
     task->world.bounds = test::Similarity{}(task->world).bounds;
     const auto space = InflatedSpace::build(task->world).value();
     const std::vector<Point> route = pruned_both_ways(space, task->route);

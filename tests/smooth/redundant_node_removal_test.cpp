@@ -29,7 +29,7 @@ InflatedSpace around_a_disc() {
 
 std::vector<Point> nodes_after(const RedundantNodeRemoval& removal, const InflatedSpace& space,
                                const std::vector<Point>& nodes) {
-  return joints(removal.smooth(space, Curve::polyline(nodes), Budget{}).value());
+  return waypoints(removal.smooth(space, Curve::polyline(nodes), Budget{}).value());
 }
 
 TEST_CASE("the forward scan stops at the first hidden node, the other one looks beyond") {
@@ -75,12 +75,12 @@ TEST_CASE("what is kept on random routes is what the scans say") {
         AStar{}, space, {.start = worlds.point(world), .goal = worlds.point(world)});
     if (!route) continue;
     ++routes;
-    const std::vector<Point> nodes = joints(detail::split_at_nodes(space, route->curve));
-    CHECK(joints(RedundantNodeRemoval{}.smooth(space, route->curve, {}).value()) ==
+    const std::vector<Point> nodes = waypoints(detail::split_at_nodes(space, route->curve));
+    CHECK(waypoints(RedundantNodeRemoval{}.smooth(space, route->curve, {}).value()) ==
           as_printed(space, nodes));
 
     const RedundantNodeRemoval from_end{.scan = Scan::from_far_end};
-    const auto kept = joints(from_end.smooth(space, route->curve, {}).value());
+    const auto kept = waypoints(from_end.smooth(space, route->curve, {}).value());
     auto at = nodes.begin();
     for (std::size_t i = 1; i < kept.size(); ++i) {
       at = std::find(at, nodes.end(), kept[i]);

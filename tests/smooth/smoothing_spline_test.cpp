@@ -63,7 +63,7 @@ std::pair<double, double> largest_jumps(const Curve& curve) {
   for (std::size_t i = 0; i + 1 < curve.pieces().size(); ++i) {
     const auto& in = *curve.pieces()[i].get_if<CubicBezier>();
     const auto& out = *curve.pieces()[i + 1].get_if<CubicBezier>();
-    turn = std::fmax(turn, std::abs(deflection(in.derivative(1), out.derivative(0))));
+    turn = std::fmax(turn, std::abs(turn_angle(in.derivative(1), out.derivative(0))));
     bend = std::fmax(bend, std::abs(curvature(in, 1) - curvature(out, 0)));
   }
   return {turn, bend};

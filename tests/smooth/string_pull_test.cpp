@@ -55,7 +55,7 @@ TEST_CASE("StringPull keeps the smoother contract") {
 TEST_CASE("strings pulled from shortest paths are shortest, from others taut and no longer") {
   const std::uint64_t seed = 660;
   Random random(seed);
-  NoObserver nobody;
+  NoObserver no_observer;
   AStar::Scratch astar;
   ThetaStar::Scratch theta;
   AnyAngle::Scratch any_angle;
@@ -68,16 +68,16 @@ TEST_CASE("strings pulled from shortest paths are shortest, from others taut and
     const Point start = space.frame().point(test::random_cell(random, grid));
     const Point goal = space.frame().point(test::random_cell(random, grid));
     const Query query{.start = start, .goal = goal};
-    const auto shortest = AnyAngle{}.search(space, query, any_angle, nobody);
+    const auto shortest = AnyAngle{}.search(space, query, any_angle, no_observer);
     if (!shortest) continue;
     const auto again = StringPull{}.smooth(space, shortest->curve, {});
     REQUIRE(again);
     CHECK(again->length() == Approx(shortest->cost).epsilon(1e-12));
 
     for (const auto& route :
-         {AStar{}.search(space, query, astar, nobody),
-          ThetaStar{}.search(space, query, theta, nobody),
-          ThetaStar{Vertices::cell_corner}.search(space, query, theta, nobody)}) {
+         {AStar{}.search(space, query, astar, no_observer),
+          ThetaStar{}.search(space, query, theta, no_observer),
+          ThetaStar{NodePlacement::cell_corner}.search(space, query, theta, no_observer)}) {
       REQUIRE(route);
       const auto pulled = StringPull{}.smooth(space, route->curve, {});
       REQUIRE(pulled);
@@ -153,7 +153,7 @@ TEST_CASE("a string keeps its winding around every blocked cell") {
 TEST_CASE("strings on the MovingAI maps are free, taut and not shorter than the optimum") {
   const char* folder = test::moving_ai_folder();
   if (folder == nullptr) return;
-  NoObserver nobody;
+  NoObserver no_observer;
   Jps::Scratch scratch;
   AnyAngle::Scratch any_angle;
   std::size_t strings = 0;
@@ -168,13 +168,13 @@ TEST_CASE("strings on the MovingAI maps are free, taut and not shorter than the 
       INFO(entry.path().string() << " line " << row.line);
       const Query query{.start = space.frame().point(row.start),
                         .goal = space.frame().point(row.goal)};
-      const auto route = Jps{}.search(space, query, scratch, nobody).value();
+      const auto route = Jps{}.search(space, query, scratch, no_observer).value();
       const auto pulled = StringPull{}.smooth(space, route.curve, {});
       REQUIRE(pulled);
       ++strings;
       CHECK(pulled->length() <= route.cost * (1 + 1e-12));
       CHECK(pulled->length() >=
-            optimal.search(space, query, any_angle, nobody).value().cost * (1 - 1e-9));
+            optimal.search(space, query, any_angle, no_observer).value().cost * (1 - 1e-9));
       CHECK(test::CornerRules(space.grid()).allows(test::joints_in_halves(*pulled)));
       CHECK(is_taut(space.grid(), test::joints_in_halves(*pulled)));
     }

@@ -133,7 +133,7 @@ TEST_CASE("strings turn, move and scale with their world; what lies far off does
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
     INFO("seed " << seed << ", round " << round);
     auto task = test::random_task(worlds);
-    if (!task || task->world.bounds.magnitude() > 100) continue;
+    if (!task || task->world.bounds.largest_coordinate() > 100) continue;
     task->world.bounds = test::Similarity{}(task->world).bounds;
     const auto space = InflatedSpace::build(task->world).value();
     const Curve string = taut(space, task->route);
@@ -168,8 +168,8 @@ TEST_CASE("on cells a string for a point is the pulled string of the grid") {
     const Query query{.start = space.frame().point(test::random_cell(random, grid)),
                       .goal = space.frame().point(test::random_cell(random, grid))};
     AStar::Scratch scratch;
-    NoObserver nobody;
-    const auto route = AStar{}.search(space, query, scratch, nobody);
+    NoObserver no_observer;
+    const auto route = AStar{}.search(space, query, scratch, no_observer);
     if (!route) continue;
     const auto string = TautString{}.smooth(space, route->curve, {});
     REQUIRE(string);

@@ -384,7 +384,7 @@ TEST_CASE("the origin and the size of a cell move by no more than the stated rou
       const auto space = CellSpace::build(OccupancyGrid::blocked(2000, 10).value(),
                                           {.resolution = resolution, .origin = origin})
                              .value();
-      const Rational allowed = Rational(space.bounds().magnitude()) / Rational(0x1p49);
+      const Rational allowed = Rational(space.bounds().largest_coordinate()) / Rational(0x1p49);
       const Rational moved = Rational(space.bounds().min.x()) - Rational(origin.x());
       const Rational grown = Rational(space.frame().resolution) - Rational(resolution);
       CHECK(2 * abs(moved) <= allowed);
@@ -619,11 +619,13 @@ TEST_CASE("clearance of cells is the signed distance that brute force finds") {
         CHECK(clearance == infinity);
       } else if (!squares.contains(at)) {
         const double expected = unit * std::sqrt(squares.squared_clearance(at, at).value());
-        if (!(std::abs(clearance - expected) <= space.slack())) CHECK(clearance == expected);
+        if (!(std::abs(clearance - expected) <= space.distance_error_bound()))
+          CHECK(clearance == expected);
         ++outside;
       } else if (squares.squared_distance_to_edges(at, at).n > 0) {
         const double depth = unit * std::sqrt(squares.squared_distance_to_edges(at, at).value());
-        if (!(std::abs(clearance + depth) <= space.slack())) CHECK(clearance == -depth);
+        if (!(std::abs(clearance + depth) <= space.distance_error_bound()))
+          CHECK(clearance == -depth);
         ++inside;
       } else {
         if (clearance != 0) CHECK(clearance == 0);
@@ -652,18 +654,18 @@ TEST_CASE("the nearest edge of a segment is the one that brute force finds") {
           squares.edges.empty() ? infinity
                                 : unit * std::sqrt(squares.squared_distance_to_edges(a, b).value());
       const double caps[] = {infinity, 0.5 * expected, 1.5 * expected, space.safety_radius(),
-                             expected + 2 * space.slack()};
+                             expected + 2 * space.distance_error_bound()};
       const double cap = caps[random.below(std::size(caps))];
       INFO("from quarter (" << a.x << ", " << a.y << ") to (" << b.x << ", " << b.y
                             << "), cells of " << 4 * unit << ", cap " << cap << ", expected "
                             << expected);
-      const Proximity found = space.nearest(segment, cap);
-      if (expected > cap + space.slack() || expected == infinity) {
+      const NearestObstacle found = space.nearest(segment, cap);
+      if (expected > cap + space.distance_error_bound() || expected == infinity) {
         if (found.distance != cap) CHECK(found.distance == cap);
-        if (found.obstacle != Proximity::none) CHECK(found.obstacle == Proximity::none);
+        if (found.obstacle != NearestObstacle::none) CHECK(found.obstacle == NearestObstacle::none);
         ++beyond;
-      } else if (expected < cap - space.slack()) {
-        if (!(std::abs(found.distance - expected) <= space.slack())) {
+      } else if (expected < cap - space.distance_error_bound()) {
+        if (!(std::abs(found.distance - expected) <= space.distance_error_bound())) {
           CHECK(found.distance == expected);
         }
         const auto edge = std::find_if(
@@ -674,7 +676,7 @@ TEST_CASE("the nearest edge of a segment is the one that brute force finds") {
         const auto gap = static_cast<double>(test::reference_distance(
             segment.point(found.parameter), point_at(space, {line.x0, line.y0}),
             point_at(space, {line.x1, line.y1})));
-        if (!(std::abs(gap - expected) <= 4 * space.slack())) CHECK(gap == expected);
+        if (!(std::abs(gap - expected) <= 4 * space.distance_error_bound())) CHECK(gap == expected);
         ++found_edges;
       }
     }
@@ -709,14 +711,15 @@ TEST_CASE("the nearest edge of an arc is no farther than any of its points finds
         least = std::min(least, static_cast<double>(test::reference_distance(p, edge.a, edge.b)));
       }
     }
-    const double step = arc.length() / samples, error = space.slack() + arc.evaluation_error();
+    const double step = arc.length() / samples,
+                 error = space.distance_error_bound() + arc.evaluation_error();
     for (const double cap : {infinity, 0.8 * (least - step), least + step}) {
       CAPTURE(cap, least);
       if (cap < 0) continue;
-      const Proximity found = space.nearest(arc, cap);
+      const NearestObstacle found = space.nearest(arc, cap);
       if (edges.empty() || least - step > cap) {
         CHECK(found.distance == cap);
-        CHECK(found.obstacle == Proximity::none);
+        CHECK(found.obstacle == NearestObstacle::none);
         continue;
       }
       const auto edge = edges.find({found.obstacle, found.edge});
@@ -739,23 +742,23 @@ TEST_CASE("the nearest edge is named by its blocked cell and its side") {
   for (std::uint32_t side = 0; side < 4; ++side) {
     CAPTURE(side);
     const Point& p = beside[side];
-    const Proximity found = space.nearest(Segment{p, p}, 1.5);
+    const NearestObstacle found = space.nearest(Segment{p, p}, 1.5);
     CHECK(found.distance == 1);
     CHECK(found.obstacle == index);
     CHECK(found.edge == side);
     CHECK(space.nearest(Segment{p, p}, 0.5).distance == 0.5);
-    CHECK(space.nearest(Segment{p, p}, 0.5).obstacle == Proximity::none);
+    CHECK(space.nearest(Segment{p, p}, 0.5).obstacle == NearestObstacle::none);
   }
-  const Proximity slanted = space.nearest(Segment{{4, 5}, {5, 4}}, infinity);
+  const NearestObstacle slanted = space.nearest(Segment{{4, 5}, {5, 4}}, infinity);
   CHECK(slanted.distance == Approx(std::sqrt(4.5)));
   CHECK(slanted.parameter == Approx(0.5));
 }
 
 TEST_CASE("an edge that is no nearer than the cap is not named") {
   const auto space = CellSpace::build(draw({".....", ".....", "..#..", ".....", "....."})).value();
-  const Proximity found = space.nearest(Segment{{4, 2}, {4, 3}}, 1);
+  const NearestObstacle found = space.nearest(Segment{{4, 2}, {4, 3}}, 1);
   CHECK(found.distance == 1);
-  CHECK(found.obstacle == Proximity::none);
+  CHECK(found.obstacle == NearestObstacle::none);
 }
 
 TEST_CASE("a point is inside where it is off every edge and the cells around it are blocked") {
@@ -802,7 +805,7 @@ TEST_CASE("a point beyond the grid is inside nothing, and knows how far the bloc
       CHECK_FALSE(space.is_free(p));
       const double expected =
           space.frame().resolution / 4 * std::sqrt(squares.squared_clearance(at, at).value());
-      CHECK(std::abs(space.clearance(p) - expected) <= 2 * space.slack());
+      CHECK(std::abs(space.clearance(p) - expected) <= 2 * space.distance_error_bound());
       ++checked;
     }
   }
@@ -998,7 +1001,7 @@ TEST_CASE("a point is joined to the cells around it that it reaches by free segm
     const Rational limit = squared_radius(space);
     for (int i = 0; i < 10; ++i) {
       const Place at = squares.random_place(random);
-      const Links links = space.links(point_at(space, at));
+      const EndpointLinks links = space.links(point_at(space, at));
       std::map<std::pair<int, int>, double> expected;
       for (int y = 0; y < map.height(); ++y) {
         for (int x = 0; x < map.width(); ++x) {
@@ -1019,10 +1022,10 @@ TEST_CASE("a point is joined to the cells around it that it reaches by free segm
         break;
       }
       bool right = links.size() == expected.size();
-      for (const Link& link : links) {
+      for (const EndpointLink& link : links) {
         const auto entry = expected.find({link.cell.x, link.cell.y});
         right = right && entry != expected.end() &&
-                std::abs(entry->second - link.length) <= space.slack();
+                std::abs(entry->second - link.length) <= space.distance_error_bound();
       }
       if (!right) FAIL_CHECK("quarter (" << at.x << ", " << at.y << ")");
       joined += links.size();
@@ -1088,7 +1091,7 @@ TEST_CASE("a radius far larger than the grid blocks all cells, or none where non
 TEST_CASE("maps without blocked cells, without free ones and without any have answers") {
   const auto open = CellSpace::build(draw({"...", "..."})).value();
   CHECK(open.clearance({1, 1}) == infinity);
-  CHECK(open.nearest(Segment{{0, 0}, {1, 1}}, infinity).obstacle == Proximity::none);
+  CHECK(open.nearest(Segment{{0, 0}, {1, 1}}, infinity).obstacle == NearestObstacle::none);
   CHECK(open.segment_free({0, 0}, {3, 2}));
   CHECK_FALSE(open.segment_free({0, 0}, {3.5, 2}));
 

@@ -28,7 +28,7 @@ TEST_CASE("deciding nodes in blocks gives what deciding them one by one gives") 
       for (int x = 0; x < sampled.grid.width(); ++x) {
         const double clearance = space.clearance(sampled.frame.point({x, y}));
         ++nodes;
-        if (std::abs(clearance - threshold) < 1e-8 * delta + 4 * space.slack()) {
+        if (std::abs(clearance - threshold) < 1e-8 * delta + 4 * space.distance_error_bound()) {
           ++ties;
           continue;
         }

@@ -31,7 +31,7 @@ TEST_CASE("clearance is the signed distance that brute force finds") {
       if (std::isinf(expected)) {
         CHECK(space.clearance(p) == expected);
       } else if (std::abs(expected) > 1e-9) {  // on an edge, inside and outside are one
-        CHECK(std::abs(space.clearance(p) - expected) <= space.slack());
+        CHECK(std::abs(space.clearance(p) - expected) <= space.distance_error_bound());
         CHECK(space.is_free(p) == (expected >= world.safety_radius));
       }
     }
@@ -51,9 +51,9 @@ TEST_CASE("a segment is free iff all of its points are") {
     const auto sampled = test::sampled_clearance(world, Curve::polyline(segment), 200);
     const bool free = space.segment_free(p, q);
     CHECK(free == space.segment_free(q, p));
-    if (free) CHECK(sampled >= world.safety_radius - space.slack());
+    if (free) CHECK(sampled >= world.safety_radius - space.distance_error_bound());
     const double step = (q - p).norm() / 400;  // no point is farther from a sample
-    if (!free) CHECK(sampled <= world.safety_radius + step + space.slack());
+    if (!free) CHECK(sampled <= world.safety_radius + step + space.distance_error_bound());
     ++(free ? free_segments : blocked_segments);
   }
   CHECK(free_segments > 20);
@@ -102,12 +102,12 @@ TEST_CASE("nearest is capped, and names the obstacle and the edge") {
            .safety_radius = 1,
            .obstacles = {Disc{{90, 90}, 2}, Polygon{{{10, 10}, {20, 10}, {20, 20}, {10, 20}}}}})
           .value();
-  const Proximity found = space.nearest(Segment{{25, 12}, {25, 30}}, infinity);
+  const NearestObstacle found = space.nearest(Segment{{25, 12}, {25, 30}}, infinity);
   CHECK(found.distance == 5);
   CHECK(found.obstacle == 1);
   CHECK(found.edge == 1);
   CHECK(Point(25, 12 + 18 * found.parameter).y() <= 20);
-  CHECK(space.nearest(Segment{{25, 12}, {25, 30}}, 4).obstacle == Proximity::none);
+  CHECK(space.nearest(Segment{{25, 12}, {25, 30}}, 4).obstacle == NearestObstacle::none);
   CHECK(space.nearest(Segment{{25, 12}, {25, 30}}, 4).distance == 4);
   CHECK(space.nearest(Segment{{90, 85}, {90, 85}}, infinity).distance == 3);
   CHECK(space.nearest(Segment{{90, 90}, {90, 90}}, infinity).distance == -2);

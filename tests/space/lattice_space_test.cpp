@@ -59,17 +59,17 @@ TEST_CASE("a point on a node has that node as its only link, one beside it has f
   const auto space =
       LatticeSpace::build({.bounds = {{0, 0}, {4, 4}}, .safety_radius = 0.2}, {.resolution = 0.5})
           .value();
-  const Links on = space.links({1.5, 2});
+  const EndpointLinks on = space.links({1.5, 2});
   REQUIRE(on.size() == 1);
   CHECK(on[0].cell == Cell{3, 4});
   CHECK(on[0].length == 0);
-  const Links near = space.links({1.5 + 1e-12, 2});
+  const EndpointLinks near = space.links({1.5 + 1e-12, 2});
   REQUIRE(near.size() == 1);
   CHECK(near[0].length == 0);
 
-  const Links between = space.links({1.6, 2.1});
+  const EndpointLinks between = space.links({1.6, 2.1});
   CHECK(between.size() == 6);
-  for (const Link& link : between) {
+  for (const EndpointLink& link : between) {
     const Point node = space.frame().point(link.cell);
     CHECK(link.length == Approx((node - Point(1.6, 2.1)).norm()));
     CHECK(link.length <= std::sqrt(2) * 0.5);
@@ -84,7 +84,8 @@ TEST_CASE("links keep clear of obstacles between the point and a node") {
                                           .obstacles = {Polygon{{{2.2, 0}, {2.21, 4}}}}},
                                          {.resolution = 0.5})
                          .value();
-  for (const Link& link : space.links({2.1, 2})) CHECK(space.frame().point(link.cell).x() < 2.1);
+  for (const EndpointLink& link : space.links({2.1, 2}))
+    CHECK(space.frame().point(link.cell).x() < 2.1);
 }
 
 TEST_CASE("bad resolutions are refused before anything is allocated") {

@@ -37,12 +37,12 @@ template <class Base>
 class WithClearance : public Base {
  public:
   double clearance(const Point&) const { return std::numeric_limits<double>::infinity(); }
-  Proximity nearest(const Segment&, double cap) const { return {.distance = cap}; }
-  Proximity nearest(const Arc&, double cap) const { return {.distance = cap}; }
+  NearestObstacle nearest(const Segment&, double cap) const { return {.distance = cap}; }
+  NearestObstacle nearest(const Arc&, double cap) const { return {.distance = cap}; }
   bool is_inside(const Point&) const { return false; }
   double safety_radius() const { return 0.25; }
-  double slack() const { return 1e-12; }
-  double magnitude() const { return archetype_side; }
+  double distance_error_bound() const { return 1e-12; }
+  double largest_coordinate() const { return archetype_side; }
 };
 
 template <class Base>
@@ -72,9 +72,9 @@ template <class Base>
 class WithLinks : public Base {
  public:
   const Frame& frame() const { return frame_; }
-  Links links(const Point& p) const {
+  EndpointLinks links(const Point& p) const {
     const Cell cell = frame_.nearest_cell(p);
-    Links links;
+    EndpointLinks links;
     links.push_back({cell, distance(p, frame_.point(cell))});
     return links;
   }
@@ -128,7 +128,7 @@ class WithJumps : public Base {
 template <class Base>
 class WithSight : public Base {
  public:
-  bool sees(Cell, Cell) const { return true; }
+  bool line_of_sight(Cell, Cell) const { return true; }
 };
 
 using ClearanceArchetype = WithClearance<FreeArchetype>;
@@ -158,18 +158,18 @@ static_assert(LinkedSpace<LinkedArchetype>);
 static_assert(!GridSpace<LinkedArchetype> && !StepSpace<LinkedArchetype>);
 static_assert(GridSpace<GridArchetype> && SteppedSpace<GridArchetype>);
 static_assert(!ColumnSpace<GridArchetype> && !JumpSpace<GridArchetype>);
-static_assert(!StepSpace<GridArchetype> && !SightSpace<GridArchetype>);
-static_assert(ColumnSpace<ColumnArchetype> && !ColumnSightSpace<ColumnArchetype>);
-static_assert(JumpSpace<JumpArchetype> && !JumpSightSpace<JumpArchetype>);
+static_assert(!StepSpace<GridArchetype> && !LineOfSightSpace<GridArchetype>);
+static_assert(ColumnSpace<ColumnArchetype> && !ColumnLineOfSightSpace<ColumnArchetype>);
+static_assert(JumpSpace<JumpArchetype> && !JumpLineOfSightSpace<JumpArchetype>);
 static_assert(StepSpace<StepArchetype> && SteppedSpace<StepArchetype>);
-static_assert(!GridSpace<StepArchetype> && !SightSpace<StepArchetype>);
-static_assert(SightSpace<SightArchetype> && !StepSpace<SightArchetype>);
-static_assert(!ColumnSightSpace<SightArchetype> && !JumpSightSpace<SightArchetype>);
-static_assert(SightSpace<StepSightArchetype> && !GridSpace<StepSightArchetype>);
-static_assert(ColumnSightSpace<ColumnSightArchetype> && !JumpSpace<ColumnSightArchetype>);
-static_assert(JumpSightSpace<JumpSightArchetype> && !ColumnSpace<JumpSightArchetype>);
+static_assert(!GridSpace<StepArchetype> && !LineOfSightSpace<StepArchetype>);
+static_assert(LineOfSightSpace<SightArchetype> && !StepSpace<SightArchetype>);
+static_assert(!ColumnLineOfSightSpace<SightArchetype> && !JumpLineOfSightSpace<SightArchetype>);
+static_assert(LineOfSightSpace<StepSightArchetype> && !GridSpace<StepSightArchetype>);
+static_assert(ColumnLineOfSightSpace<ColumnSightArchetype> && !JumpSpace<ColumnSightArchetype>);
+static_assert(JumpLineOfSightSpace<JumpSightArchetype> && !ColumnSpace<JumpSightArchetype>);
 static_assert(ClearanceGridSpace<ClearanceGridArchetype>);
-static_assert(!FeatureSpace<ClearanceGridArchetype> && !SightSpace<ClearanceGridArchetype>);
+static_assert(!FeatureSpace<ClearanceGridArchetype> && !LineOfSightSpace<ClearanceGridArchetype>);
 
 /// Models Observer.
 struct ObserverArchetype {

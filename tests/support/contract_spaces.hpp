@@ -141,9 +141,9 @@ class RandomArenas<CellSpace> {
 template <class S>
 Expected<Route, Failure> grid_route(const Arena<S>& arena, const Query& query) {
   AStar::Scratch scratch;
-  NoObserver nobody;
+  NoObserver no_observer;
   if constexpr (GridSpace<S>) {
-    return AStar{}.search(arena.space, query, scratch, nobody);
+    return AStar{}.search(arena.space, query, scratch, no_observer);
   } else {
     const Arena<LatticeSpace> grid{
         LatticeSpace::build(arena.world, {.resolution = arena.world.bounds.width() / 40}).value(),
@@ -156,7 +156,7 @@ Expected<Route, Failure> grid_route(const Arena<S>& arena, const Query& query) {
 inline Workspace near(const Workspace& world, const Box& box) {
   Workspace result = world;
   const Box reach =
-      box.inflated(1.001 * world.safety_radius + 1e-6 * (1 + world.bounds.magnitude()));
+      box.inflated(1.001 * world.safety_radius + 1e-6 * (1 + world.bounds.largest_coordinate()));
   std::erase_if(result.obstacles, [&](const Obstacle& obstacle) {
     Box extent;
     if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
@@ -182,7 +182,7 @@ void check_curve(Breaches& breaches, const Arena<S>& arena, const Curve& curve, 
     const Workspace obstacles =
         near(arena.world, piece.visit([](const auto& p) { return p.box(); }));
     breaches.check(sampled_clearance(obstacles, piece, samples) >=
-                       obstacles.safety_radius - 1e-12 * arena.space.magnitude(),
+                       obstacles.safety_radius - 1e-12 * arena.space.largest_coordinate(),
                    "it keeps the safety radius, by brute force");
     breaches.check(ExactChecker(obstacles).check(piece) != ExactVerdict::blocked,
                    "it is free to the exact checker");

@@ -70,7 +70,7 @@ class ExactChecker::Judge {
 
   /// Whether boxes alone show that a piece within `box` keeps clear of a part, with room to spare.
   bool is_far(const Part& part, const Box& box) const {
-    const double reach = (part.radius + r_) * (1 + 1e-9) + 1e-9 * (1 + box.magnitude());
+    const double reach = (part.radius + r_) * (1 + 1e-9) + 1e-9 * (1 + box.largest_coordinate());
     return std::max(part.a.x(), part.b.x()) + reach < box.min.x() ||
            std::min(part.a.x(), part.b.x()) - reach > box.max.x() ||
            std::max(part.a.y(), part.b.y()) + reach < box.min.y() ||

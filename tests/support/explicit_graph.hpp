@@ -56,13 +56,13 @@ std::optional<double> explicit_cost(const S& space, const Query& query,
   const std::size_t headings = turn_penalty > 0 ? 9 : 1;  // the last: none
   std::vector<double> best(headings * cells, std::numeric_limits<double>::infinity());
   std::vector<double> exit(cells, std::numeric_limits<double>::infinity());
-  for (const Link& link : space.links(query.goal)) exit[at(link.cell)] = link.length;
+  for (const EndpointLink& link : space.links(query.goal)) exit[at(link.cell)] = link.length;
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   const auto reach = [&](std::size_t node, double g) {
     if (g < best[node]) open.push({best[node] = g, node});
   };
-  for (const Link& link : space.links(query.start)) {
+  for (const EndpointLink& link : space.links(query.start)) {
     reach((headings - 1) * cells + at(link.cell), link.length);
   }
   double answer = std::numeric_limits<double>::infinity();

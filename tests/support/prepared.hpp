@@ -7,7 +7,7 @@
 #include "tutavia/search/concepts.hpp"
 
 /// \file
-/// Searches that need something prepared for the space, where nobody prepares it.
+/// Searches that need something prepared for the space, where no_observer prepares it.
 
 namespace tutavia::test {
 

@@ -30,7 +30,7 @@ inline std::optional<Task> random_task(WorldGenerator& worlds) {
   const auto route = search_once(
       AStar{}, space, {.start = worlds.point(task.world), .goal = worlds.point(task.world)});
   if (!route) return std::nullopt;
-  task.route = joints(route->curve);
+  task.route = waypoints(route->curve);
   return task;
 }
 

@@ -220,8 +220,8 @@ class SearcherTrial {
     return search(space, query, scratch);
   }
   Answer search(const S& space, const Query& query, AnyScratch& scratch) const {
-    NoObserver nobody;
-    return search_.search(space, query, scratch, nobody);
+    NoObserver no_observer;
+    return search_.search(space, query, scratch, no_observer);
   }
 
   const AnySearch<S>& search_;

@@ -27,8 +27,8 @@ template <class A>
 Expected<Route, Failure> search_once(const A& algorithm, const LatticeSpace& space,
                                      const Query& query) {
   typename A::Scratch scratch;
-  NoObserver nobody;
-  return algorithm.search(space, query, scratch, nobody);
+  NoObserver no_observer;
+  return algorithm.search(space, query, scratch, no_observer);
 }
 
 /// Whether a search can know that there is no path.

@@ -69,8 +69,8 @@ void check_tree_options(const A& algorithm, const InflatedSpace& space, const Qu
     A changed = algorithm;
     change(changed);
     typename A::Scratch scratch;
-    NoObserver nobody;
-    const auto route = changed.search(space, query, scratch, nobody);
+    NoObserver no_observer;
+    const auto route = changed.search(space, query, scratch, no_observer);
     INFO(option);
     REQUIRE_FALSE(route);
     CHECK(route.error().code == PlanError::invalid_option);
@@ -118,8 +118,8 @@ class TreeTrial {
 
  private:
   Expected<Route, Failure> search(const InflatedSpace& space, const Query& query) {
-    NoObserver nobody;
-    return algorithm_.search(space, query, used_, nobody);
+    NoObserver no_observer;
+    return algorithm_.search(space, query, used_, no_observer);
   }
 
   void grows_the_same_tree_from_the_same_seed() {
@@ -183,8 +183,8 @@ class TreeTrial {
                           .value();
     A few = algorithm_;
     few.iterations = 200;
-    NoObserver nobody;
-    const auto none = few.search(room, {.start = {1, 1}, .goal = {9, 9}}, used_, nobody);
+    NoObserver no_observer;
+    const auto none = few.search(room, {.start = {1, 1}, .goal = {9, 9}}, used_, no_observer);
     REQUIRE_FALSE(none);
     CHECK(none.error().code == PlanError::budget_exhausted);
     CHECK(none.error().stats.expanded % 200 == 0);
@@ -194,12 +194,12 @@ class TreeTrial {
   void finds_routes_among_cells() {
     OccupancyGrid grid = free_grid(20, 20);
     for (int y = 0; y < 16; ++y) grid.set({10, y}, false);
-    NoObserver nobody;
+    NoObserver no_observer;
     for (const double radius : {0.0, 0.7}) {
       INFO("cells are as good, safety radius " << radius);
       const auto cells = CellSpace::build(grid, {.safety_radius = radius}).value();
       const auto route =
-          algorithm_.search(cells, {.start = {3, 3}, .goal = {17, 3}}, used_, nobody);
+          algorithm_.search(cells, {.start = {3, 3}, .goal = {17, 3}}, used_, no_observer);
       REQUIRE(route);
       CHECK(certify(cells, route->curve).status == ProofStatus::proved);
     }

@@ -108,17 +108,17 @@ TEST_CASE("coordinates too large for the safety radius are refused at 32 u M", "
 
 TEST_CASE("the magnitude is the largest coordinate of bounds, rings, holes and discs", "[world]") {
   Workspace workspace = valid();
-  CHECK(workspace.magnitude() == 10);
+  CHECK(workspace.largest_coordinate() == 10);
   polygon(workspace).outer[0] = {-11, 1};
-  CHECK(workspace.magnitude() == 11);
+  CHECK(workspace.largest_coordinate() == 11);
   polygon(workspace).holes[1][2] = {1, 12};
-  CHECK(workspace.magnitude() == 12);
+  CHECK(workspace.largest_coordinate() == 12);
   disc(workspace) = {{-7, 4}, 6};
-  CHECK(workspace.magnitude() == 13);
+  CHECK(workspace.largest_coordinate() == 13);
   disc(workspace) = {{7, 4}, 7};
-  CHECK(workspace.magnitude() == 14);
+  CHECK(workspace.largest_coordinate() == 14);
   workspace.bounds.min = {0, -15};
-  CHECK(workspace.magnitude() == 15);
+  CHECK(workspace.largest_coordinate() == 15);
 }
 
 }  // namespace

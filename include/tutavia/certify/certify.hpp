@@ -33,7 +33,7 @@ class ClearanceInterval {
  public:
   ClearanceInterval(const S& space, const CertifyOptions& options, Certificate& certificate)
       : space_(space),
-        epsilon_(std::max(options.epsilon, 4 * space.slack())),
+        epsilon_(std::max(options.epsilon, 4 * space.distance_error_bound())),
         max_evaluations_(options.max_evaluations_per_piece),
         out_(certificate) {
     out_.lower = std::numeric_limits<double>::infinity();
@@ -41,7 +41,7 @@ class ClearanceInterval {
 
   template <class P>
   void add(const P& piece, std::size_t index) {
-    magnitude_ = std::fmax(space_.magnitude(), piece.box().magnitude());
+    magnitude_ = std::fmax(space_.largest_coordinate(), piece.box().largest_coordinate());
     error_ = piece_error(piece, magnitude_);
     if constexpr (Divisible<P>) {
       PartStack<P> stack(piece);
@@ -75,8 +75,8 @@ class ClearanceInterval {
   template <class P, class StandIn>
   Narrowed narrow(const P& piece, std::size_t index, const Part<P>& part, const StandIn& stand_in,
                   double deviation) {
-    const double margin = deviation + rounding_slack(magnitude_) + error_.at(part.depth);
-    const Proximity found = space_.nearest(stand_in, out_.upper + margin);
+    const double margin = deviation + distance_rounding_error(magnitude_) + error_.at(part.depth);
+    const NearestObstacle found = space_.nearest(stand_in, out_.upper + margin);
     ++out_.evaluations;
     if (found.distance + margin < out_.upper) {
       out_.upper = found.distance + margin;
@@ -109,7 +109,7 @@ template <ClearanceSpace S>
 Certificate certify(const S& space, const Curve& curve, const CertifyOptions& options = {},
                     const Budget& budget = {}) {
   Certificate certificate;
-  certificate.slack = space.slack();
+  certificate.distance_error_bound = space.distance_error_bound();
   if (curve.empty()) return certificate;
   const auto& pieces = curve.pieces();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -125,7 +125,7 @@ Certificate certify(const S& space, const Curve& curve, const CertifyOptions& op
     certificate.parameter = proof.parameter;
     certificate.point = pieces[i].visit([&](const auto& p) { return p.point(proof.parameter); });
     if (proof.status == ProofStatus::violated) {
-      certificate.upper = space.clearance(certificate.point) + certificate.slack;
+      certificate.upper = space.clearance(certificate.point) + certificate.distance_error_bound;
     }
     return certificate;
   }

@@ -93,7 +93,7 @@ PieceError piece_error(const Bezier<Degree>&, double magnitude) {
 template <ClearanceSpace S>
 PieceProof prove(const S& space, const Segment& segment, double distance, double slack,
                  std::size_t) {
-  const Proximity found = space.nearest(segment, distance + slack);
+  const NearestObstacle found = space.nearest(segment, distance + slack);
   PieceProof proof{ProofStatus::undecided, found.parameter, 1};
   if (found.distance >= distance + slack) {
     proof.status = space.is_inside(segment.a) ? ProofStatus::violated : ProofStatus::proved;
@@ -114,7 +114,7 @@ template <ClearanceSpace S>
 PieceProof prove(const S& space, const Arc& arc, double distance, double slack, std::size_t) {
   const double error = slack + arc.evaluation_error();
   if (!std::isfinite(error)) return {};
-  const Proximity found = space.nearest(arc, distance + error);
+  const NearestObstacle found = space.nearest(arc, distance + error);
   PieceProof proof{ProofStatus::proved, found.parameter, 1};
   if (found.distance < distance - error) {
     proof.status = ProofStatus::violated;
@@ -138,7 +138,7 @@ template <ClearanceSpace S, Divisible P>
 PieceProof prove(const S& space, const P& piece, double distance, double slack,
                  std::size_t max_evaluations) {
   const Box& bounds = space.bounds();
-  const double magnitude = std::fmax(space.magnitude(), piece.box().magnitude());
+  const double magnitude = std::fmax(space.largest_coordinate(), piece.box().largest_coordinate());
   const PieceError rounding = piece_error(piece, magnitude);
   PieceProof proof;
   PartStack<P> stack(piece);
@@ -151,7 +151,7 @@ PieceProof prove(const S& space, const P& piece, double distance, double slack,
     if (!std::isfinite(margin) || proof.evaluations == max_evaluations) return proof;
     const Box hull = part.piece.box().inflated(part.depth == 0 ? rounding.whole : error);
     const Segment chord{part.piece.start(), part.piece.end()};
-    const Proximity found = space.nearest(chord, distance + margin);
+    const NearestObstacle found = space.nearest(chord, distance + margin);
     ++proof.evaluations;
     if (bounds.contains(hull) && found.distance >= distance + margin) continue;
     if (found.distance < distance - margin) {
@@ -191,8 +191,8 @@ PieceProof prove_distance(const S& space, const P& piece, double distance,
       return {ProofStatus::violated, t, 0};
     }
   }
-  const double magnitude = std::fmax(space.magnitude(), piece.box().magnitude());
-  const double slack = rounding_slack(magnitude);
+  const double magnitude = std::fmax(space.largest_coordinate(), piece.box().largest_coordinate());
+  const double slack = distance_rounding_error(magnitude);
   PieceProof proof = detail::prove(space, piece, distance, slack, max_evaluations);
   // A connected path that keeps off all edges is outside all polygons or inside one. (The exact
   // test of a segment, which may touch edges at radius 0, has looked at the insides itself.)

@@ -129,8 +129,8 @@ struct Arc {
 /// The shortest distance between an arc and a segment and a place on the arc where it is attained,
 /// in closed form: the ends of both, the foot of the perpendicular from the centre, and where line
 /// and circle meet.
-inline Approach approach(const Arc& arc, const Segment& segment) {
-  Approach best{distance(arc.a, segment), 0};
+inline ClosestApproach closest_approach(const Arc& arc, const Segment& segment) {
+  ClosestApproach best{distance(arc.a, segment), 0};
   const auto consider = [&](double distance, double parameter) {
     if (distance < best.distance) best = {distance, parameter};
   };

@@ -87,10 +87,10 @@ struct Bezier {
   }
 
   /// Parameter of the point nearest to `p`, the smallest where several are as near; see
-  /// detail::NearestPlace. Its distance exceeds the least by 4e-12 of the piece's size and 2^-44 of
-  /// the distance at most.
+  /// detail::ClosestParameter. Its distance exceeds the least by 4e-12 of the piece's size and
+  /// 2^-44 of the distance at most.
   double nearest_parameter(const Point& p) const {
-    return detail::NearestPlace<Bezier>(seen_from(p)).parameter();
+    return detail::ClosestParameter<Bezier>(relative_to(p)).parameter();
   }
 
   /// Largest distance between the piece and its chord at the same parameter: exact for a quadratic
@@ -143,7 +143,7 @@ struct Bezier {
 
   /// The piece with `p` as the origin: what is computed of it then errs by its size and its
   /// distance from p, however far both are from the old origin.
-  Bezier seen_from(const Point& p) const {
+  Bezier relative_to(const Point& p) const {
     Bezier result = *this;
     for (Point& q : result.points) q = {q.x() - p.x(), q.y() - p.y()};
     return result;

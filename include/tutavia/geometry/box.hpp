@@ -50,7 +50,7 @@ struct Box {
   double height() const { return max.y() - min.y(); }
 
   /// The largest coordinate's magnitude.
-  double magnitude() const { return std::fmax(max_magnitude(min), max_magnitude(max)); }
+  double largest_coordinate() const { return std::fmax(max_magnitude(min), max_magnitude(max)); }
 };
 
 }  // namespace tutavia

@@ -86,7 +86,7 @@ struct Clothoid {
             {middle, b, start_heading + turn_to(0.5), curvature_at(0.5), sharpness, half}};
   }
   /// The piece with `p` as the origin.
-  Clothoid seen_from(const Point& p) const {
+  Clothoid relative_to(const Point& p) const {
     Clothoid result = *this;
     result.a = {a.x() - p.x(), a.y() - p.y()};
     result.b = {b.x() - p.x(), b.y() - p.y()};
@@ -107,9 +107,9 @@ struct Clothoid {
   Box box() const { return Box::around({a, b}).inflated(deviation()); }
 
   /// Parameter of the point nearest to `p`, the smallest where several are as near; see
-  /// detail::NearestPlace.
+  /// detail::ClosestParameter.
   double nearest_parameter(const Point& p) const {
-    return detail::NearestPlace<Clothoid>(seen_from(p)).parameter();
+    return detail::ClosestParameter<Clothoid>(relative_to(p)).parameter();
   }
 
   /// How far `point(t)` may be from the curve of these numbers, for the rounding of the angles, of

@@ -66,8 +66,8 @@ void for_each_curvature_extreme(const CubicBezier& piece, Visit visit) {
   }
   for (Point& leg : legs) leg = {leg.x() / longest, leg.y() / longest};
   // B' is proportional to a + 2 b t + c t^2.
-  const Point a = legs[0], b = advance(legs[1], -1, a);
-  const Point c = advance(advance(legs[2], -1, legs[1]), -1, b);
+  const Point a = legs[0], b = offset_along(legs[1], -1, a);
+  const Point c = offset_along(offset_along(legs[2], -1, legs[1]), -1, b);
   const Polynomial<3> x{a.x(), 2 * b.x(), c.x()}, y{a.y(), 2 * b.y(), c.y()};
   const Polynomial<3> bend{2 * cross(a, b), 2 * cross(a, c), 2 * cross(b, c)};  // B' x B''
   Polynomial<5> square = multiply(x, x);
@@ -100,7 +100,7 @@ inline double max_curvature(const Clothoid& clothoid) {
 /// "standstill" mean: as far as the rounding of the control points lets tell.
 template <std::size_t Degree>
 double max_curvature(const Bezier<Degree>& piece) {
-  const double rounding = 8 * 0x1p-53 * piece.box().magnitude();
+  const double rounding = 8 * 0x1p-53 * piece.box().largest_coordinate();
   if (detail::is_straight(piece, rounding)) return 0;
   double result = 0;
   const auto include = [&](double t) {

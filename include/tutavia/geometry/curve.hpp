@@ -49,7 +49,7 @@ inline constexpr bool has_varying_speed<Bezier<Degree>> = true;
 template <class P>
 CurvePoint state(const P& piece, double t) {
   Point direction = piece.derivative(t);
-  if (is_null(direction)) {
+  if (is_zero(direction)) {
     direction = t < 0.5 ? piece.start_direction() : piece.end_direction();
   }
   return {0, piece.point(t), heading(direction), curvature(piece, t)};
@@ -62,7 +62,7 @@ double parameter_at(const P& piece, double s, double total, double guess) {
   if (!(total > 0)) return 0;
   if (s >= total) return 1;
   if constexpr (has_varying_speed<P>) {
-    const P seen = piece.seen_from(piece.start());
+    const P seen = piece.relative_to(piece.start());
     double low = 0, high = 1, t = 0 < guess && guess < 1 ? guess : s / total;
     for (int i = 0; i < 60; ++i) {
       const double error = seen.length_to(t) - s;
@@ -227,7 +227,7 @@ class Curve {
 };
 
 /// The joints of a curve: its start and the end of every piece.
-inline std::vector<Point> joints(const Curve& curve) {
+inline std::vector<Point> waypoints(const Curve& curve) {
   std::vector<Point> points;
   if (curve.empty()) return points;
   points.reserve(curve.pieces().size() + 1);

@@ -43,37 +43,38 @@ class NaturalSpline {
   double end() const { return sites_.back(); }
   double residual_sum() const { return residual_sum_; }
   /// Whether it is the chord.
-  bool is_straight() const { return std::all_of(bends_.begin(), bends_.end(), is_null); }
+  bool is_straight() const { return std::all_of(bends_.begin(), bends_.end(), is_zero); }
 
   /// Position at t in [0, end()].
   Point point(double t) const {
     if (sites_.size() == 1) return origin_;
-    const Place at = place(t);
+    const SpanParameter at = span_parameter(t);
     const double scale = at.width * at.width / 6;
     const Point line = lerp(values_[at.span], values_[at.span + 1], at.after);
-    const Point bent = advance(line, scale * cubic(at.before), bends_[at.span]);
-    return advance(origin_, 1, advance(bent, scale * cubic(at.after), bends_[at.span + 1]));
+    const Point bent = offset_along(line, scale * cubic(at.before), bends_[at.span]);
+    return offset_along(origin_, 1,
+                        offset_along(bent, scale * cubic(at.after), bends_[at.span + 1]));
   }
 
   Point derivative(double t) const {
     if (sites_.size() == 1) return Point::Zero();
-    const Place at = place(t);
+    const SpanParameter at = span_parameter(t);
     const Point &p = values_[at.span], &q = values_[at.span + 1];
     const Point slope{(q.x() - p.x()) / at.width, (q.y() - p.y()) / at.width};
     const Point bent =
-        advance(slope, at.width / 6 * (1 - 3 * at.before * at.before), bends_[at.span]);
-    return advance(bent, at.width / 6 * (3 * at.after * at.after - 1), bends_[at.span + 1]);
+        offset_along(slope, at.width / 6 * (1 - 3 * at.before * at.before), bends_[at.span]);
+    return offset_along(bent, at.width / 6 * (3 * at.after * at.after - 1), bends_[at.span + 1]);
   }
 
   Point second_derivative(double t) const {
     if (sites_.size() == 1) return Point::Zero();
-    const Place at = place(t);
+    const SpanParameter at = span_parameter(t);
     return lerp(bends_[at.span], bends_[at.span + 1], at.after);
   }
 
  private:
   /// A place in a span: so far before its end and after its start, in parts of its width.
-  struct Place {
+  struct SpanParameter {
     std::size_t span;
     double width, before, after;
   };
@@ -88,7 +89,7 @@ class NaturalSpline {
 
   static double cubic(double x) { return x * (x * x - 1); }
 
-  Place place(double t) const {
+  SpanParameter span_parameter(double t) const {
     const auto above = std::upper_bound(sites_.begin() + 1, sites_.end() - 1, t);
     const auto i = static_cast<std::size_t>(above - sites_.begin()) - 1;
     const double width = sites_[i + 1] - sites_[i];
@@ -140,17 +141,17 @@ class SplineFit {
     factor(penalty);
     const std::size_t n = data_.size();
     for (std::size_t i = 1; i + 1 < n; ++i) {
-      bends_[i] = advance(second_difference(data_, i), -rows_[i - 1].first, bends_[i - 1]);
-      if (i > 2) bends_[i] = advance(bends_[i], -rows_[i - 2].second, bends_[i - 2]);
+      bends_[i] = offset_along(second_difference(data_, i), -rows_[i - 1].first, bends_[i - 1]);
+      if (i > 2) bends_[i] = offset_along(bends_[i], -rows_[i - 2].second, bends_[i - 2]);
     }
     for (std::size_t i = n - 1; i-- > 1;) {
       const Row& row = rows_[i];
       bends_[i] = {bends_[i].x() / row.pivot, bends_[i].y() / row.pivot};
-      if (i + 2 < n) bends_[i] = advance(bends_[i], -row.first, bends_[i + 1]);
-      if (i + 3 < n) bends_[i] = advance(bends_[i], -row.second, bends_[i + 2]);
+      if (i + 2 < n) bends_[i] = offset_along(bends_[i], -row.first, bends_[i + 1]);
+      if (i + 3 < n) bends_[i] = offset_along(bends_[i], -row.second, bends_[i + 2]);
     }
     for (std::size_t i = 1; i + 1 < n; ++i) {
-      values_[i] = advance(data_[i], -penalty, second_difference(bends_, i));
+      values_[i] = offset_along(data_[i], -penalty, second_difference(bends_, i));
     }
     return residual_sum();
   }
@@ -158,7 +159,7 @@ class SplineFit {
   NaturalSpline spline() && {
     const double sum = residual_sum();
     // Rounding leaves values and bends that differ from any spline's: take that of the values.
-    if (!std::all_of(bends_.begin(), bends_.end(), is_null)) {
+    if (!std::all_of(bends_.begin(), bends_.end(), is_zero)) {
       data_ = values_;
       solve(0);
     }

@@ -29,12 +29,12 @@ inline Point lerp(const Point& a, const Point& b, double t) {
 }
 
 /// The point p + s v.
-inline Point advance(const Point& p, double s, const Point& v) {
+inline Point offset_along(const Point& p, double s, const Point& v) {
   return {p.x() + s * v.x(), p.y() + s * v.y()};
 }
 
 /// Whether both coordinates are 0.
-inline bool is_null(const Point& v) { return v.x() == 0 && v.y() == 0; }
+inline bool is_zero(const Point& v) { return v.x() == 0 && v.y() == 0; }
 
 /// Distance between two points.
 inline double distance(const Point& a, const Point& b) {
@@ -55,7 +55,7 @@ inline double angle(double y, double x) {
 inline double heading(const Point& v) { return angle(v.y(), v.x()); }
 
 /// The angle by which `from` turns into `to`, in (-pi, pi] [rad], left positive.
-inline double deflection(const Point& from, const Point& to) {
+inline double turn_angle(const Point& from, const Point& to) {
   return angle(cross(from, to), from.dot(to));
 }
 

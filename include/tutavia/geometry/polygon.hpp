@@ -26,7 +26,7 @@ struct Polygon {
 };
 
 /// A wall without thickness along a chain of points: a ring that goes there and back.
-inline Polygon wall(Ring points) {
+inline Polygon polyline_obstacle(Ring points) {
   for (std::size_t i = points.size(); i-- > 1;) points.push_back(Point(points[i - 1]));
   return {std::move(points)};
 }

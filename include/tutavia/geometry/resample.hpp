@@ -25,7 +25,7 @@ struct PieceWalk {
   template <class P>
   CurvePoint go_to(const P& piece, double to, double total) {
     if constexpr (has_varying_speed<P>) {
-      const P rest = piece.seen_from(piece.start()).part(t, 1);
+      const P rest = piece.relative_to(piece.start()).part(t, 1);
       const double guess = (to - s) / rest.derivative(0).norm();
       const double u = parameter_at(rest, to - s, total - s, guess);
       t += u * (1 - t);

@@ -56,14 +56,14 @@ inline double distance(const Point& p, const Segment& s) {
 }
 
 /// Where two segments come closest.
-struct Approach {
+struct ClosestApproach {
   double distance = 0;   ///< [m]
   double parameter = 0;  ///< on the first segment
 };
 
 /// The shortest distance between two segments and a place on `s` where it is attained: 0 when they
 /// meet (decided by exact predicates), else with the error of `distance`.
-inline Approach approach(const Segment& s, const Segment& other) {
+inline ClosestApproach closest_approach(const Segment& s, const Segment& other) {
   if (segments_intersect(s.a, s.b, other.a, other.b)) {
     const Point d = s.b - s.a, e = other.b - other.a, gap_a = other.a - s.a;
     const double at_a = s.nearest_parameter(other.a), at_b = s.nearest_parameter(other.b);
@@ -77,7 +77,7 @@ inline Approach approach(const Segment& s, const Segment& other) {
     }
     return {0, place};
   }
-  Approach best{distance(s.a, other), 0};
+  ClosestApproach best{distance(s.a, other), 0};
   if (const double d = distance(s.b, other); d < best.distance) best = {d, 1};
   if (const double d = distance(other.a, s); d < best.distance) {
     best = {d, s.nearest_parameter(other.a)};
@@ -93,7 +93,7 @@ inline Approach approach(const Segment& s, const Segment& other) {
 /// `margin` are not negative
 inline bool keeps_distance(const Segment& s, const Segment& core, double radius, double margin,
                            double slack) {
-  const double gap = approach(s, core).distance - radius - margin;
+  const double gap = closest_approach(s, core).distance - radius - margin;
   if (gap > slack) return true;
   if (gap < -slack) return false;
   const auto keeps = [&](const Point& p, const Segment& q) {

@@ -32,8 +32,8 @@ class CellCosts {
   void set(Cell cell, std::uint8_t value) { values_[at(cell)] = value; }
 
   /// What a step costs, in 1 / scale of the usual unit.
-  Cost price(Cell from, std::size_t step) const {
-    return step_cost(step) * (scale + (*this)[from] + (*this)[from + steps[step]]);
+  Cost step_cost(Cell from, std::size_t step) const {
+    return tutavia::step_cost(step) * (scale + (*this)[from] + (*this)[from + steps[step]]);
   }
 
  private:

@@ -82,7 +82,7 @@ class GeoJsonReader {
     if (type == "Point") {
       out_.obstacles.emplace_back(Disc{fields::point(json, name, true), radius});
     } else if (type == "LineString") {
-      out_.obstacles.emplace_back(wall(fields::ring(json, name, true)));
+      out_.obstacles.emplace_back(polyline_obstacle(fields::ring(json, name, true)));
     } else if (type == "Polygon") {
       Polygon polygon;
       fields::each(json, name, [&](const Json& item, const std::string& item_name) {

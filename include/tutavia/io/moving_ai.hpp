@@ -220,16 +220,16 @@ inline Expected<void, Failure> check_scenario(std::span<const ScenarioRow> rows,
                                               const OccupancyGrid& map) {
   for (const ScenarioRow& row : rows) {
     const auto name = [](int x, int y) { return std::to_string(x) + " x " + std::to_string(y); };
-    const auto refuse = [&](const std::string& expected) {
+    const auto reject = [&](const std::string& expected) {
       return fail(PlanError::invalid_input,
                   "line " + std::to_string(row.line) + ": expected " + expected);
     };
     if (row.width != map.width() || row.height != map.height()) {
-      return refuse("a map of " + name(row.width, row.height) + " cells, found one of " +
+      return reject("a map of " + name(row.width, row.height) + " cells, found one of " +
                     name(map.width(), map.height()));
     }
     if (!map.contains(row.start) || !map.contains(row.goal)) {
-      return refuse("start and goal in " + name(map.width(), map.height()) + " cells");
+      return reject("start and goal in " + name(map.width(), map.height()) + " cells");
     }
   }
   return {};

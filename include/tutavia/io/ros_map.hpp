@@ -61,13 +61,13 @@ inline RosMapYaml read_ros_map_yaml(YamlSubset& file) {
   yaml.map.yaw = origin(2);
   const std::string& negate = file.value("negate");
   yaml.negate = negate == "1" || negate == "true";
-  if (!yaml.negate && negate != "0" && negate != "false") file.refuse("negate: 0 or 1", negate);
+  if (!yaml.negate && negate != "0" && negate != "false") file.reject("negate: 0 or 1", negate);
   yaml.occupied_thresh = file.number("occupied_thresh", 0, 1, "a number from 0 to 1");
   yaml.free_thresh =
       file.number("free_thresh", 0, yaml.occupied_thresh, "a number from 0 to occupied_thresh");
   if (file.has("mode")) yaml.mode = file.value("mode");
   if (yaml.mode != "trinary" && yaml.mode != "scale" && yaml.mode != "raw") {
-    file.refuse("mode: trinary, scale or raw", yaml.mode);
+    file.reject("mode: trinary, scale or raw", yaml.mode);
   }
   yaml.map.warnings = file.warnings();
   if (yaml.negate && yaml.mode == "raw") {

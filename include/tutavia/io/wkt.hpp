@@ -76,7 +76,7 @@ class WktReader {
   void add(const Point& p) { out_.obstacles.emplace_back(Disc{p, 0}); }
   void add_line() {
     Ring points = ring();
-    if (!points.empty()) out_.obstacles.emplace_back(wall(std::move(points)));
+    if (!points.empty()) out_.obstacles.emplace_back(polyline_obstacle(std::move(points)));
   }
   void add_polygon() {
     Polygon polygon;

@@ -105,9 +105,9 @@ inline PathMetrics measure(const Curve& curve) {
   for (const Piece& any : curve.pieces()) {
     any.visit([&](const auto& piece) {
       using P = std::decay_t<decltype(piece)>;
-      if (is_null(piece.start_direction())) return;  // a single point
-      if (!is_null(heading)) {
-        turns.joint(deflection(heading, piece.start_direction()));
+      if (is_zero(piece.start_direction())) return;  // a single point
+      if (!is_zero(heading)) {
+        turns.joint(turn_angle(heading, piece.start_direction()));
         const double jump = std::abs(curvature(piece, 0) - bend);
         metrics.max_curvature_jump = std::max(metrics.max_curvature_jump, jump);
       }
@@ -125,8 +125,8 @@ inline PathMetrics measure(const Curve& curve) {
         Point before = piece.start_direction();
         for (const double t : detail::turning_intervals(piece)) {
           const Point after = t < 1 ? piece.derivative(t) : piece.end_direction();
-          if (t == 0 || is_null(after)) continue;
-          turns.turn(deflection(before, after));
+          if (t == 0 || is_zero(after)) continue;
+          turns.turn(turn_angle(before, after));
           before = after;
         }
       }

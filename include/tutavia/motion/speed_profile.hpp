@@ -24,12 +24,13 @@ namespace tutavia {
 
 /// What a robot can do. All but the speeds at the ends must be positive, all but the jerk finite.
 struct SpeedLimits {
-  double speed = 1;           ///< [m/s]
-  double acceleration = 0.5;  ///< along the curve [m/s^2]
-  double braking = 0.5;       ///< along the curve, as a positive number [m/s^2]
-  double lateral = 0.5;       ///< across the curve: speed squared times curvature [m/s^2]
+  double max_speed = 1;           ///< [m/s]
+  double max_acceleration = 0.5;  ///< along the curve [m/s^2]
+  double max_deceleration = 0.5;  ///< along the curve, as a positive number [m/s^2]
+  double max_lateral_acceleration =
+      0.5;  ///< across the curve: speed squared times curvature [m/s^2]
   /// How fast the acceleration along the curve may change [m/s^3]; infinity: in jumps.
-  double jerk = std::numeric_limits<double>::infinity();
+  double max_jerk = std::numeric_limits<double>::infinity();
   double start_speed = 0;  ///< [m/s]
   double end_speed = 0;    ///< at most this at the end [m/s]
 };
@@ -54,11 +55,12 @@ struct TimedPoint {
 /// accelerates, keeps its speed and brakes. At corners, where the direction jumps, it stops. As
 /// fast as these bounds allow; O(n) for n pieces.
 ///
-/// With a finite `jerk` the acceleration is continuous, too, and 0 at both ends and at stops. From
-/// stop to stop the robot then drives an average over time of such a motion (see EasedDrive), which
-/// takes longer than the fastest motion within the limits: on a long straight line from rest to
-/// rest (a + b) / jerk more than without that limit, where the fastest takes half of that; and
-/// bends slow it down somewhat before and after them. O(n log n) for n pieces.
+/// With a finite `max_jerk` the acceleration is continuous, too, and 0 at both ends and at stops.
+/// From stop to stop the robot then drives an average over time of such a motion (see
+/// JerkLimitedProfile), which takes longer than the fastest motion within the limits: on a long
+/// straight line from rest to rest (a + b) / max_jerk more than without that limit, where the
+/// fastest takes half of that; and bends slow it down somewhat before and after them. O(n log n)
+/// for n pieces.
 ///
 /// Source: Bobrow, Dubowsky and Gibson 1985, "Time-optimal control of robotic manipulators along
 /// specified paths", for accelerations that do not depend on the place.
@@ -81,18 +83,20 @@ class SpeedProfile {
   /// A part of the way from one stop to the next.
   struct Leg {
     double time;  // at its start
-    detail::EasedDrive drive;
+    detail::JerkLimitedProfile drive;
   };
 
   static const char* invalid_option(const SpeedLimits& limits);
-  static std::vector<detail::SpeedStretch> intervals(const Curve& curve, const SpeedLimits& limits);
+  static std::vector<detail::SpeedInterval> intervals_of(const Curve& curve,
+                                                         const SpeedLimits& limits);
   /// Squares of the speed limits where intervals meet and at both ends.
-  static std::vector<double> joint_limits(const Curve& curve, const SpeedLimits& limits,
-                                          const std::vector<detail::SpeedStretch>& intervals);
+  static std::vector<double> boundary_speed_limits(
+      const Curve& curve, const SpeedLimits& limits,
+      const std::vector<detail::SpeedInterval>& intervals);
   /// False where it cannot brake from the start speed.
-  bool add_legs(std::span<const detail::SpeedStretch> stretches,
-                std::span<const double> joint_limits, const SpeedLimits& limits);
-  detail::DriveState state_at(double time) const;
+  bool add_legs(std::span<const detail::SpeedInterval> intervals,
+                std::span<const double> boundary_speed_limits, const SpeedLimits& limits);
+  detail::ProfileState state_at(double time) const;
 
   /// Pieces along which the curvature changes are cut into several intervals.
   template <class P>
@@ -102,29 +106,31 @@ class SpeedProfile {
 
   Curve curve_;
   double duration_ = 0;
-  detail::DrivePhases phases_;  // without a limit of jerk
-  std::vector<Leg> legs_;       // with one
+  detail::TrapezoidalProfile phases_;  // without a limit of jerk
+  std::vector<Leg> legs_;              // with one
 };
 
 inline const char* SpeedProfile::invalid_option(const SpeedLimits& limits) {
   const auto is_positive = [](double x) { return x > 0 && std::isfinite(x); };
-  if (!is_positive(limits.speed)) return "speed must be positive and finite";
-  if (!is_positive(limits.acceleration)) return "acceleration must be positive and finite";
-  if (!is_positive(limits.braking)) return "braking must be positive and finite";
-  if (!is_positive(limits.lateral)) return "lateral must be positive and finite";
-  if (!(limits.jerk > 0)) return "jerk must be positive";
-  if (!(0 <= limits.start_speed && limits.start_speed <= limits.speed)) {
-    return "start_speed must lie between 0 and speed";
+  if (!is_positive(limits.max_speed)) return "max_speed must be positive and finite";
+  if (!is_positive(limits.max_acceleration)) return "max_acceleration must be positive and finite";
+  if (!is_positive(limits.max_deceleration)) return "max_deceleration must be positive and finite";
+  if (!is_positive(limits.max_lateral_acceleration))
+    return "max_lateral_acceleration must be positive and finite";
+  if (!(limits.max_jerk > 0)) return "max_jerk must be positive";
+  if (!(0 <= limits.start_speed && limits.start_speed <= limits.max_speed)) {
+    return "start_speed must lie between 0 and max_speed";
   }
   if (!(limits.end_speed >= 0)) return "end_speed must not be negative";
   return nullptr;
 }
 
-inline std::vector<detail::SpeedStretch> SpeedProfile::intervals(const Curve& curve,
-                                                                 const SpeedLimits& limits) {
-  std::vector<detail::SpeedStretch> result;
+inline std::vector<detail::SpeedInterval> SpeedProfile::intervals_of(const Curve& curve,
+                                                                     const SpeedLimits& limits) {
+  std::vector<detail::SpeedInterval> result;
   const auto add = [&](double length, double curvature) {
-    result.push_back({length, std::min(limits.speed * limits.speed, limits.lateral / curvature)});
+    result.push_back({length, std::min(limits.max_speed * limits.max_speed,
+                                       limits.max_lateral_acceleration / curvature)});
   };
   for (const Piece& piece : curve.pieces()) {
     piece.visit([&](const auto& p) {
@@ -139,10 +145,10 @@ inline std::vector<detail::SpeedStretch> SpeedProfile::intervals(const Curve& cu
   return result;
 }
 
-inline std::vector<double> SpeedProfile::joint_limits(
+inline std::vector<double> SpeedProfile::boundary_speed_limits(
     const Curve& curve, const SpeedLimits& limits,
-    const std::vector<detail::SpeedStretch>& intervals) {
-  std::vector<double> squares = tutavia::detail::joint_limits(intervals);
+    const std::vector<detail::SpeedInterval>& intervals) {
+  std::vector<double> squares = tutavia::detail::boundary_speed_limits(intervals);
   squares.back() = std::min(squares.back(), limits.end_speed * limits.end_speed);
   Point before = Point::Zero();
   std::size_t at = 0;
@@ -151,9 +157,9 @@ inline std::vector<double> SpeedProfile::joint_limits(
       return piece.visit(
           [&](const auto& p) -> Point { return end ? p.end_direction() : p.start_direction(); });
     };
-    if (!is_null(direction(false))) {
+    if (!is_zero(direction(false))) {
       const bool is_corner =
-          !is_null(before) && std::abs(deflection(before, direction(false))) > 1e-6;
+          !is_zero(before) && std::abs(turn_angle(before, direction(false))) > 1e-6;
       if (is_corner) squares[at] = 0;
       before = direction(true);
     }
@@ -165,14 +171,14 @@ inline std::vector<double> SpeedProfile::joint_limits(
 inline Expected<SpeedProfile, Failure> SpeedProfile::build(Curve curve, const SpeedLimits& limits) {
   if (const char* option = invalid_option(limits)) return fail(PlanError::invalid_option, option);
   if (curve.empty()) return fail(PlanError::invalid_input, "the curve is empty");
-  const std::vector<detail::SpeedStretch> stretches = intervals(curve, limits);
-  for (const detail::SpeedStretch& stretch : stretches) {
-    if (stretch.length > 0 && !(stretch.limit > 0)) {
+  const std::vector<detail::SpeedInterval> intervals = intervals_of(curve, limits);
+  for (const detail::SpeedInterval& interval : intervals) {
+    if (interval.length > 0 && !(interval.limit > 0)) {
       return fail(PlanError::invalid_input, "the curve has a cusp, where nothing can follow it");
     }
   }
-  const std::vector<double> most = joint_limits(curve, limits, stretches);
-  std::vector<double> squares = detail::squares_to_brake_from(stretches, most, limits.braking);
+  const std::vector<double> most = boundary_speed_limits(curve, limits, intervals);
+  std::vector<double> squares = detail::backward_pass(intervals, most, limits.max_deceleration);
   const double start = limits.start_speed * limits.start_speed;
   if (start > squares[0] * (1 + 1e-12)) {
     return fail(PlanError::invalid_option, "start_speed is too high to brake from: at most " +
@@ -180,10 +186,10 @@ inline Expected<SpeedProfile, Failure> SpeedProfile::build(Curve curve, const Sp
   }
   squares[0] = std::min(start, squares[0]);
   SpeedProfile profile;
-  if (std::isinf(limits.jerk)) {
-    profile.phases_.drive(stretches, squares, limits.acceleration, limits.braking);
+  if (std::isinf(limits.max_jerk)) {
+    profile.phases_.drive(intervals, squares, limits.max_acceleration, limits.max_deceleration);
     profile.duration_ = profile.phases_.end_time();
-  } else if (!profile.add_legs(stretches, most, limits)) {
+  } else if (!profile.add_legs(intervals, most, limits)) {
     return fail(PlanError::invalid_option,
                 "start_speed is too high to brake from with so little jerk");
   }
@@ -191,21 +197,21 @@ inline Expected<SpeedProfile, Failure> SpeedProfile::build(Curve curve, const Sp
   return profile;
 }
 
-inline bool SpeedProfile::add_legs(std::span<const detail::SpeedStretch> stretches,
-                                   std::span<const double> joint_limits,
+inline bool SpeedProfile::add_legs(std::span<const detail::SpeedInterval> intervals,
+                                   std::span<const double> boundary_speed_limits,
                                    const SpeedLimits& limits) {
   double s = 0, length = 0;
-  for (std::size_t first = 0, i = 0; i < stretches.size(); ++i) {
-    length += stretches[i].length;
-    const bool is_last = i + 1 == stretches.size();
-    if (!is_last && joint_limits[i + 1] > 0) continue;
+  for (std::size_t first = 0, i = 0; i < intervals.size(); ++i) {
+    length += intervals[i].length;
+    const bool is_last = i + 1 == intervals.size();
+    if (!is_last && boundary_speed_limits[i + 1] > 0) continue;
     if (length > 0) {
-      auto drive = detail::EasedDrive::over(stretches.subspan(first, i + 1 - first), s,
-                                            {.acceleration = limits.acceleration,
-                                             .braking = limits.braking,
-                                             .jerk = limits.jerk,
-                                             .start_speed = s == 0 ? limits.start_speed : 0,
-                                             .end_speed = is_last ? limits.end_speed : 0});
+      auto drive = detail::JerkLimitedProfile::over(intervals.subspan(first, i + 1 - first), s,
+                                                    {.max_acceleration = limits.max_acceleration,
+                                                     .max_deceleration = limits.max_deceleration,
+                                                     .max_jerk = limits.max_jerk,
+                                                     .start_speed = s == 0 ? limits.start_speed : 0,
+                                                     .end_speed = is_last ? limits.end_speed : 0});
       if (!drive) return false;
       legs_.push_back({duration_, std::move(*drive)});
       duration_ += legs_.back().drive.duration();
@@ -217,7 +223,7 @@ inline bool SpeedProfile::add_legs(std::span<const detail::SpeedStretch> stretch
   return true;
 }
 
-inline detail::DriveState SpeedProfile::state_at(double time) const {
+inline detail::ProfileState SpeedProfile::state_at(double time) const {
   if (legs_.empty()) return phases_.at(time);
   const auto after = std::upper_bound(legs_.begin() + 1, legs_.end(), time,
                                       [](double t, const Leg& leg) { return t < leg.time; });
@@ -228,7 +234,7 @@ inline detail::DriveState SpeedProfile::state_at(double time) const {
 inline TimedPoint SpeedProfile::at(double time) const {
   TimedPoint point;
   point.time = std::clamp(time, 0.0, duration());
-  const detail::DriveState state = state_at(point.time);
+  const detail::ProfileState state = state_at(point.time);
   // What the intervals add up to may differ from the length by rounding.
   point.s = time >= duration() ? curve_.length() : std::min(state.s, curve_.length());
   point.speed = state.speed;

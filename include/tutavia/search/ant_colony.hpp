@@ -33,14 +33,14 @@ namespace tutavia {
 /// What an ant colony keeps between queries: memory.
 struct AntScratch {
   std::vector<std::uint32_t> visited;  ///< the last ant on each cell
-  std::vector<std::size_t> trail, best;
+  std::vector<std::size_t> tour, best;
   std::vector<Cell> cells;
 };
 
 /// Ants walk from the start at random, never twice over a cell, sooner on where others that came to
-/// the goal have left a scent and where the goal is nearer; an ant that is stuck steps back. Those
-/// that arrive leave a scent that is the stronger the shorter their way, which fades with every
-/// round, and the shortest way so far is scented once more each time.
+/// the goal have left a pheromone and where the goal is nearer; an ant that is stuck steps back.
+/// Those that arrive leave a pheromone that is the stronger the shorter their way, which fades with
+/// every round, and the shortest way so far is scented once more each time.
 ///
 /// A path that is found is valid and nothing else: in particular it is not short on maps of more
 /// than some thousand cells. Same seed, same path. Memory: 64 bytes per cell that ants come to.
@@ -62,9 +62,9 @@ struct AntColony {
 
   std::uint32_t ants = 30;        ///< in each round
   std::uint32_t iterations = 50;  ///< rounds
-  double scent_weight = 1;        ///< alpha, an exponent
-  double distance_weight = 5;     ///< beta, the exponent of 1 / distance to the goal
-  double evaporation = 0.3;       ///< rho: what a scent loses in a round, in [0, 1)
+  double pheromone_exponent = 1;  ///< alpha, an exponent
+  double distance_exponent = 5;   ///< beta, the exponent of 1 / distance to the goal
+  double evaporation = 0.3;       ///< rho: what a pheromone loses in a round, in [0, 1)
   DeadEnds dead_ends = DeadEnds::step_back;
   double deposit = 100;  ///< Q: an ant leaves Q / length in cells; there is 1 at first
 
@@ -78,8 +78,8 @@ struct AntColony {
     const auto invalid = [](const char* detail) { return fail(PlanError::invalid_option, detail); };
     if (ants == 0) return invalid("ants must not be 0");
     if (iterations == 0) return invalid("iterations must not be 0");
-    if (!is_weight(scent_weight)) return invalid("scent_weight must lie in [0, 100]");
-    if (!is_weight(distance_weight)) return invalid("distance_weight must lie in [0, 100]");
+    if (!is_weight(pheromone_exponent)) return invalid("pheromone_exponent must lie in [0, 100]");
+    if (!is_weight(distance_exponent)) return invalid("distance_exponent must lie in [0, 100]");
     if (!(evaporation >= 0 && evaporation < 1)) return invalid("evaporation must lie in [0, 1)");
     if (!(deposit >= 0 && std::isfinite(deposit))) {
       return invalid("deposit must be finite, not negative");
@@ -93,14 +93,14 @@ namespace detail {
 template <GridSpace S, Observer O>
 class Colony {
  public:
-  Colony(const AntColony& options, SearchContext<S, O>& context, const LinkedQuery& linked,
+  Colony(const AntColony& options, SearchContext<S, O>& context, const GridQuery& linked,
          AntScratch& scratch)
       : options_(options),
         context_(context),
         linked_(linked),
         grid_(context.space.grid().view()),
         table_(all_successors(context.space.movement())),
-        scents_(8 * context.space.grid().index_count()),
+        pheromones_(8 * context.space.grid().index_count()),
         scratch_(scratch),
         random_(context.query.seed) {}
 
@@ -114,12 +114,12 @@ class Colony {
         if (!cost) continue;
         if (*cost < best_) {
           best_ = *cost;
-          scratch_.best = scratch_.trail;
+          scratch_.best = scratch_.tour;
         }
-        scent(scratch_.trail, *cost);
+        deposit(scratch_.tour, *cost);
       }
-      if (!scratch_.best.empty()) scent(scratch_.best, best_);
-      fade();
+      if (!scratch_.best.empty()) deposit(scratch_.best, best_);
+      evaporate();
     }
     const bool is_cancelled = !within_ && within_.error().code == PlanError::cancelled;
     if (!scratch_.best.empty() && !is_cancelled) return {};
@@ -135,25 +135,25 @@ class Colony {
   }
 
  private:
-  /// One ant's way into `trail`; its cost, if it arrives.
+  /// One ant's way into `tour`; its cost, if it arrives.
   std::optional<Cost> walk(std::uint32_t ant) {
-    auto& trail = scratch_.trail;
+    auto& tour = scratch_.tour;
     const CellLink& first = linked_.starts.data()[random_.below(linked_.starts.size())];
-    trail.assign(1, grid_.index(first.cell));
-    scratch_.visited[trail.back()] = ant;
-    while (!trail.empty()) {
-      const Cell cell = grid_.cell(trail.back());
+    tour.assign(1, grid_.index(first.cell));
+    scratch_.visited[tour.back()] = ant;
+    while (!tour.empty()) {
+      const Cell cell = grid_.cell(tour.back());
       if (const auto exit = linked_.exit_cost(cell)) return first.cost + length() + *exit;
       if (auto within = context_.check_budget(); !within) {
         within_ = std::move(within);
         return std::nullopt;
       }
       context_.count_expanded(cell);
-      if (const auto step = choose(trail.back(), cell, ant)) {
-        trail.push_back(grid_.index(cell + steps[*step]));
-        scratch_.visited[trail.back()] = ant;
+      if (const auto step = choose(tour.back(), cell, ant)) {
+        tour.push_back(grid_.index(cell + steps[*step]));
+        scratch_.visited[tour.back()] = ant;
       } else if (options_.dead_ends == AntColony::DeadEnds::step_back) {
-        trail.pop_back();
+        tour.pop_back();
       } else {
         return std::nullopt;
       }
@@ -167,8 +167,8 @@ class Colony {
   }
   Cost length() const {
     Cost sum = 0;
-    for (std::size_t i = 1; i < scratch_.trail.size(); ++i) {
-      sum += step_cost(step_between(scratch_.trail[i - 1], scratch_.trail[i]));
+    for (std::size_t i = 1; i < scratch_.tour.size(); ++i) {
+      sum += step_cost(step_between(scratch_.tour[i - 1], scratch_.tour[i]));
     }
     return sum;
   }
@@ -185,8 +185,8 @@ class Colony {
       if (scratch_.visited[grid_.index(next)] == ant) continue;
       const double dx = next.x - linked_.goal_cell.x, dy = next.y - linked_.goal_cell.y;
       const double nearness = 1 / (std::sqrt(dx * dx + dy * dy) + 1e-3);
-      weights[step] = options_.scent_weight * std::log(first_ + scents_[8 * at + step]) +
-                      options_.distance_weight * std::log(nearness);
+      weights[step] = options_.pheromone_exponent * std::log(first_ + pheromones_[8 * at + step]) +
+                      options_.distance_exponent * std::log(nearness);
       largest = std::max(largest, weights[step]);
     }
     if (!std::isfinite(largest)) return std::nullopt;
@@ -202,20 +202,20 @@ class Colony {
     return chosen;
   }
 
-  /// Scents are kept in units that shrink as they fade, so that fading touches none.
-  void scent(const std::vector<std::size_t>& trail, Cost cost) {
+  /// pheromones are kept in units that shrink as they fade, so that fading touches none.
+  void deposit(const std::vector<std::size_t>& tour, Cost cost) {
     const double length = static_cast<double>(cost) / static_cast<double>(straight_cost);
     if (!(length > 0)) return;
-    for (std::size_t i = 1; i < trail.size(); ++i) {
-      const std::size_t step = step_between(trail[i - 1], trail[i]);
-      scents_[8 * trail[i - 1] + step] += options_.deposit / length * unit_;
+    for (std::size_t i = 1; i < tour.size(); ++i) {
+      const std::size_t step = step_between(tour[i - 1], tour[i]);
+      pheromones_[8 * tour[i - 1] + step] += options_.deposit / length * unit_;
     }
   }
-  void fade() {
+  void evaporate() {
     unit_ /= 1 - options_.evaporation;
     if (unit_ < 1e100) return;
-    for (std::size_t i = 0; i < scents_.size(); ++i) {
-      if (scents_[i] != 0) scents_[i] /= unit_;  // what was never written costs no memory
+    for (std::size_t i = 0; i < pheromones_.size(); ++i) {
+      if (pheromones_[i] != 0) pheromones_[i] /= unit_;  // what was never written costs no memory
     }
     first_ = std::max(first_ / unit_, std::numeric_limits<double>::min());
     unit_ = 1;
@@ -223,14 +223,14 @@ class Colony {
 
   const AntColony& options_;
   SearchContext<S, O>& context_;
-  const LinkedQuery& linked_;
+  const GridQuery& linked_;
   OccupancyGrid::View grid_;
   const SuccessorTable& table_;
-  ZeroedArray<double> scents_;  // of each step from each cell
+  ZeroedArray<double> pheromones_;  // of each step from each cell
   AntScratch& scratch_;
   Random random_;
   Expected<void, Failure> within_;  // the budget
-  double first_ = 1;                // the scent of all steps at first
+  double first_ = 1;                // the pheromone of all steps at first
   double unit_ = 1;                 // of a deposit
   Cost best_ = std::numeric_limits<Cost>::max();
 };
@@ -241,7 +241,7 @@ struct ColonySearch {
   AntScratch& scratch;
 
   template <GridSpace S, Observer O>
-  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+  Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
     Colony<S, O> colony(options, context, linked, scratch);
     if (auto found = colony.run(); !found) return std::move(found).unexpected();
     colony.path(scratch.cells);

@@ -59,7 +59,7 @@ struct AnyAngle {
     }
     if (auto valid = check_query(space, query); !valid) return std::move(valid).unexpected();
     if (mesh == nullptr)
-      return search_in(detail::RowRuns(space.cells()), space, query, scratch, observer);
+      return search_in(detail::FreeRuns(space.cells()), space, query, scratch, observer);
     if (mesh->width() != space.cells().width() || mesh->height() != space.cells().height()) {
       return fail(PlanError::invalid_option, "any_angle needs the mesh prepared for this grid");
     }
@@ -71,7 +71,7 @@ struct AnyAngle {
   static Expected<Route, Failure> search_in(const Pieces& pieces, const CellSpace& space,
                                             const Query& query, Scratch& scratch, O& observer) {
     Route route;
-    detail::IntervalSearch<Pieces, O> search(space, pieces, query, scratch, observer, route.stats);
+    detail::Polyanya<Pieces, O> search(space, pieces, query, scratch, observer, route.stats);
     if (auto found = search.run(); !found) {
       Failure failure = std::move(found.error());
       if (failure.code == PlanError::unreachable) {

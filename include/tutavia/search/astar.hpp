@@ -18,7 +18,7 @@ namespace tutavia {
 /// Memory of A* and Dijkstra's algorithm: of one wave, and of the general search for cell costs and
 /// other heuristics.
 struct AStarScratch {
-  detail::WaveScratch wave;
+  detail::ExpansionScratch wave;
   detail::GridGraphScratch graph;
 };
 
@@ -49,7 +49,7 @@ struct AStar {
   static constexpr std::string_view name = "astar";
   using Scratch = AStarScratch;
 
-  Heuristic heuristic = Heuristic::octile;
+  HeuristicKind heuristic = HeuristicKind::octile;
   std::shared_ptr<const CellCosts> costs{};  ///< surcharges; none: every cell costs the same
 
   template <GridSpace S, Observer O = NoObserver>
@@ -60,19 +60,19 @@ struct AStar {
     }
     if (costs != nullptr) {
       return detail::graph_search(
-          space, query, scratch.graph, observer, *costs, [this](const detail::LinkedQuery& linked) {
+          space, query, scratch.graph, observer, *costs, [this](const detail::GridQuery& linked) {
             return [estimate = detail::GoalEstimate(heuristic, linked)](Cell cell) {
               return CellCosts::scale * estimate(cell);
             };
           });
     }
-    if (heuristic != Heuristic::octile) {
-      return detail::graph_search(space, query, scratch.graph, observer, detail::PlainPrices{},
-                                  [this](const detail::LinkedQuery& linked) {
+    if (heuristic != HeuristicKind::octile) {
+      return detail::graph_search(space, query, scratch.graph, observer, detail::PlainStepCosts{},
+                                  [this](const detail::GridQuery& linked) {
                                     return detail::GoalEstimate(heuristic, linked);
                                   });
     }
-    const detail::WaveSearch<detail::WaveSuccessors::all, detail::OctileHeuristic> wave{
+    const detail::ExpansionSearch<detail::SuccessorRule::all, detail::OctileHeuristic> wave{
         scratch.wave};
     return detail::search_grid(space, query, observer, wave);
   }

@@ -16,12 +16,12 @@ namespace tutavia {
 /// and errors as for AStar. Source: Sturtevant and Rabin 2016, "Canonical orderings on grids".
 struct CanonicalAStar {
   static constexpr std::string_view name = "canonical_astar";
-  using Scratch = detail::WaveScratch;
+  using Scratch = detail::ExpansionScratch;
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    const detail::WaveSearch<detail::WaveSuccessors::canonical, detail::OctileHeuristic> wave{
+    const detail::ExpansionSearch<detail::SuccessorRule::canonical, detail::OctileHeuristic> wave{
         scratch};
     return detail::search_grid(space, query, observer, wave);
   }

@@ -28,7 +28,7 @@ concept Observer = requires(O& o, const Point& p) {
 /// points of its corner cells, and of the interval that it grew from.
 template <class O>
 concept RectangleObserver = Observer<O> && requires(O& o, const Segment& from, const Box& grown) {
-  o.grown(from, grown);
+  o.on_rectangle(from, grown);
 };
 
 /// An observer that is also told of every better path that a search finds on its way, and of its

@@ -29,11 +29,11 @@ struct Dijkstra {
       return std::move(valid).unexpected();
     }
     if (costs != nullptr) {
-      return detail::graph_search(
-          space, query, scratch.graph, observer, *costs,
-          [](const detail::LinkedQuery&) { return detail::ZeroHeuristic(); });
+      return detail::graph_search(space, query, scratch.graph, observer, *costs,
+                                  [](const detail::GridQuery&) { return detail::ZeroHeuristic(); });
     }
-    const detail::WaveSearch<detail::WaveSuccessors::all, detail::ZeroHeuristic> wave{scratch.wave};
+    const detail::ExpansionSearch<detail::SuccessorRule::all, detail::ZeroHeuristic> wave{
+        scratch.wave};
     return detail::search_grid(space, query, observer, wave);
   }
 };

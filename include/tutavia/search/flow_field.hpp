@@ -46,12 +46,12 @@ class FlowField {
         field.ends_.push_back({link, goal});
       }
     }
-    NoObserver nobody;
+    NoObserver no_observer;
     const Query whole_map{.budget = budget};
-    detail::SearchContext<S, NoObserver> context{space, whole_map, nobody};
-    detail::GridWaveScratch scratch;
-    detail::GridWave<detail::WaveSuccessors::canonical, detail::ZeroHeuristic, S, NoObserver> wave(
-        context, detail::ZeroHeuristic(), seeds, scratch);
+    detail::SearchContext<S, NoObserver> context{space, whole_map, no_observer};
+    detail::GridExpansionScratch scratch;
+    detail::GridExpansion<detail::SuccessorRule::canonical, detail::ZeroHeuristic, S, NoObserver>
+        wave(context, detail::ZeroHeuristic(), seeds, scratch);
     typename decltype(wave)::Popped popped;
     while (wave.pop(std::numeric_limits<Cost>::max(), popped)) {
       if (auto within = context.check_budget(); !within) return std::move(within).unexpected();

@@ -10,6 +10,6 @@ namespace tutavia {
 /// Euclidean and Chebyshev distance never exceed it (they are admissible, in this order of
 /// strength); Manhattan distance does, by a factor of up to sqrt(2), and so gives paths up to that
 /// much longer. On four-connected grids all are admissible and Manhattan distance is the strongest.
-enum class Heuristic { octile, euclidean, chebyshev, manhattan };
+enum class HeuristicKind { octile, euclidean, chebyshev, manhattan };
 
 }  // namespace tutavia

@@ -15,46 +15,46 @@
 #include "tutavia/search/rectangle/bidirectional_rectangles.hpp"
 
 /// \file
-/// Improved REA*: rectangle expansion from both ends, evaluated at the middles of passages.
+/// Improved REA*: rectangle expansion from both ends, evaluated at the middles of exits.
 
 namespace tutavia {
 
-/// From where ImprovedReaStar counts what a passage has cost.
+/// From where ImprovedReaStar counts what a exit has cost.
 enum class PassageCost {
-  cumulative,  ///< from the root, by the middles of all passages on the way
-  last_leg,    ///< from the middle of the passage before, as the paper's formula has it
+  cumulative,  ///< from the root, by the middles of all exits on the way
+  last_leg,    ///< from the middle of the exit before, as the paper's formula has it
 };
 
 namespace detail {
 
-/// Passages by the distances between their middles: f = g + (1 + w) h, where w is the less the
-/// better a passage's direction agrees with that to the goal.
-class MiddleEvaluation {
+/// Exits by the distances between their middles: f = g + (1 + w) h, where w is the less the
+/// better a exit's direction agrees with that to the goal.
+class MidpointCost {
  public:
   PassageCost passage_cost = PassageCost::cumulative;
 
-  void begin(Cell goal, Cost, const OccupancyGrid& grid) {
+  void reset(Cell goal, Cost, const OccupancyGrid& grid) {
     goal_ = {static_cast<double>(goal.x), static_cast<double>(goal.y)};
     size_ = {static_cast<double>(grid.width()), static_cast<double>(grid.height())};
   }
 
-  double root(Passage& root, Cost cost) {
+  double root(Exit& root, Cost cost) {
     root.g = static_cast<double>(cost) / static_cast<double>(straight_cost);
     return root.g + (goal_ - middle(root.cells)).norm();
   }
 
-  double enter(Passage& passage, const Passage& parent) {
-    const Point at = middle(passage.cells);
+  double enter(Exit& exit, const Exit& parent) {
+    const Point at = middle(exit.cells);
     const double leg = (at - middle(parent.cells)).norm();
-    passage.g = parent.g + leg;
-    const double g = passage_cost == PassageCost::cumulative ? passage.g : leg;
-    return g + (1 + weight(passage.cells, at)) * (goal_ - at).norm();
+    exit.g = parent.g + leg;
+    const double g = passage_cost == PassageCost::cumulative ? exit.g : leg;
+    return g + (1 + weight(exit.cells, at)) * (goal_ - at).norm();
   }
 
   /// Nodes have their places when the path is known.
-  int place_before(const Passage& passage, Cell) const { return passage.cells.first; }
+  int place_before(const Exit& exit, Cell) const { return exit.cells.first; }
 
-  std::pair<double, Cell> meet(const Passage& from, const MiddleEvaluation&, const Passage& to,
+  std::pair<double, Cell> meet(const Exit& from, const MidpointCost&, const Exit& to,
                                const CellInterval& joint) const {
     const Point at = middle(joint);
     const double length =
@@ -124,7 +124,7 @@ inline void append_pulled(const std::vector<Rail>& rails, std::size_t first, std
     if ((rail.axis == 0) != (rail.side > 0)) std::swap(right, left);
     portals.emplace_back(right, left);
   }
-  const auto path = pull_through(portals, point(rails[first].node()), point(rails[last].node()));
+  const auto path = funnel_path(portals, point(rails[first].node()), point(rails[last].node()));
   for (auto p = path.rbegin(); p != path.rend(); ++p) {
     append_cell(cells, {static_cast<int>(p->x()), static_cast<int>(p->y())});
   }
@@ -161,9 +161,9 @@ inline std::vector<Cell> pulled_path(std::vector<Rail>& rails, std::size_t joint
 
 }  // namespace detail
 
-/// Free rectangles that grow from the start and from the goal by turns until they meet; passages
+/// Free rectangles that grow from the start and from the goal by turns until they meet; exits
 /// out of them are evaluated at their middles, f = g + (1 + w) h, with a weight w against
-/// directions away from the goal. Then the path is laid through the passages.
+/// directions away from the goal. Then the path is laid through the exits.
 ///
 /// Complete on the grid, not optimal; the test suite reports how much longer its paths are. Needs
 /// the movement rule `no_cut`, else `invalid_option`; other errors as for AStar.
@@ -173,29 +173,30 @@ inline std::vector<Cell> pulled_path(std::vector<Rail>& rails, std::size_t joint
 /// docs/algorithms.md.
 struct ImprovedReaStar {
   static constexpr std::string_view name = "improved_rea_star";
-  using Scratch = detail::RectangleWavesScratch<detail::MiddleEvaluation>;
+  using Scratch = detail::BidirectionalRectanglesScratch<detail::MidpointCost>;
 
   PassageCost passage_cost = PassageCost::cumulative;
   /// Whether to go on after the waves have met, until no key is below the length of a path through
   /// the middles that is known.
   bool continue_after_contact = false;
-  /// Whether the path is the shortest through the passages and a whole cell of where the waves met,
+  /// Whether the path is the shortest through the exits and a whole cell of where the waves met,
   /// nodes left out whose neighbours see each other; else its nodes are placed by the paper's
   /// markers, and it is never shorter.
   bool funnel = true;
 
-  template <ColumnSightSpace S, Observer O = NoObserver>
+  template <ColumnLineOfSightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
     for (auto& wave : scratch.waves) wave.evaluation.passage_cost = passage_cost;
-    return detail::rectangle_waves(
+    return detail::bidirectional_rectangles(
         space, query, scratch, observer, name, continue_after_contact,
         [&](std::vector<detail::Rail>& rails, std::size_t joint, std::vector<Cell>& cells) {
           detail::place_by_markers(rails, joint);
           detail::append_corners(rails, cells);
           if (!funnel) return;
           std::vector<Cell> pulled = detail::pulled_path(rails, joint);
-          detail::remove_redundant(pulled, [&](Cell a, Cell b) { return space.sees(a, b); });
+          detail::remove_redundant(pulled,
+                                   [&](Cell a, Cell b) { return space.line_of_sight(a, b); });
           if (detail::path_length(pulled) < detail::path_length(cells)) cells = std::move(pulled);
         });
   }

@@ -28,7 +28,7 @@ namespace tutavia {
 /// heuristic".
 struct InformedRrtStar {
   static constexpr std::string_view name = "informed_rrt_star";
-  using Scratch = detail::OptimalTreeScratch;
+  using Scratch = detail::RewiredTreeScratch;
 
   /// Longest step [m], at most the diagonal of the bounds; none: a 25th of their longer side.
   std::optional<double> step{};
@@ -65,8 +65,8 @@ class Ellipse {
       u = random.uniform(-1, 1);
       v = random.uniform(-1, 1);
     } while (u * u + v * v > 1);
-    return advance(advance(centre_, u * half_axis_, along_), v * other_half_axis_,
-                   perpendicular(along_));
+    return offset_along(offset_along(centre_, u * half_axis_, along_), v * other_half_axis_,
+                        perpendicular(along_));
   }
 
  private:
@@ -98,7 +98,7 @@ Point sample_in(const Ellipse& ellipse, TreeGrowth<S, O>& growth) {
 template <FreeSpace S, Observer O>
 Expected<Route, Failure> InformedRrtStar::search(const S& space, const Query& query,
                                                  Scratch& scratch, O& observer) const {
-  return detail::search_with_optimal_tree(
+  return detail::search_with_rewired_tree(
       *this, space, query, scratch, observer, [&](auto& growth, double cost) {
         return detail::sample_in(detail::Ellipse(query.start, query.goal, cost), growth);
       });

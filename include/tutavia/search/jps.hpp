@@ -21,10 +21,10 @@ struct PlaneScanner {
 
   template <std::size_t Step>
   int straight(Cell from) const {
-    return straight<Step>(planes.place(from));
+    return straight<Step>(planes.plane_index(from));
   }
   template <std::size_t Step>
-  int straight(const detail::StopPlanes::Place& from) const {
+  int straight(const detail::StopPlanes::PlaneIndex& from) const {
     const int distance = planes.template jump<Step>(from);
     const auto steps_on = static_cast<std::size_t>(distance);
     const std::size_t stop = Step == 0   ? from.in_rows + steps_on
@@ -43,7 +43,7 @@ struct PlaneScanner {
     const std::size_t along_columns = by(d.x, planes.column_stride()) + by(d.y, 1);
     // After so many steps the goal's row and column are met.
     const int at_row = (goal.y - from.y) * d.y, at_column = (goal.x - from.x) * d.x;
-    detail::StopPlanes::Place at = planes.place(from);
+    detail::StopPlanes::PlaneIndex at = planes.plane_index(from);
     for (int k = 1; grid.is_free(at.in_rows + beside_x) && grid.is_free(at.in_rows + beside_y) &&
                     grid.is_free(at.in_rows + beside_x + beside_y);
          ++k) {

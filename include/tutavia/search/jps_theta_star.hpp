@@ -19,7 +19,7 @@
 namespace tutavia {
 
 /// When JpsThetaStar uses lines of sight.
-enum class SightUse {
+enum class LineOfSightUse {
   never,         ///< the route is that of the weighted jump point search
   after_search,  ///< its bends are taken out where the node before sees the node after
   in_search,     ///< as Theta* does, a jump point's parent may be any that sees it; then as above
@@ -36,14 +36,14 @@ enum class SightUse {
 /// Theta*"; its text describes lines of sight after the search, its name those of Theta* during it.
 struct JpsThetaStar {
   static constexpr std::string_view name = "jps_theta_star";
-  using Scratch = detail::JumpScratchWith<detail::JumpHeap>;
+  using Scratch = detail::JumpScratchWith<detail::BinaryHeap>;
 
   double far_weight = 2.0;
   double near_weight = 0.8;
   double switch_distance = 12;  ///< [cells]
-  SightUse lines_of_sight = SightUse::after_search;
+  LineOfSightUse lines_of_sight = LineOfSightUse::after_search;
 
-  template <JumpSightSpace S, Observer O = NoObserver>
+  template <JumpLineOfSightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
     if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
@@ -54,20 +54,20 @@ struct JpsThetaStar {
     }
     const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
     const auto straighten = [&](std::vector<Cell>& cells) {
-      if (lines_of_sight == SightUse::never) return;
-      detail::remove_redundant(cells, [&](Cell a, Cell b) { return space.sees(a, b); });
+      if (lines_of_sight == LineOfSightUse::never) return;
+      detail::remove_redundant(cells, [&](Cell a, Cell b) { return space.line_of_sight(a, b); });
     };
-    if (lines_of_sight == SightUse::in_search) {
+    if (lines_of_sight == LineOfSightUse::in_search) {
       return detail::jump_search(
           space, query, scanner,
-          [&](const detail::LinkedQuery& linked) {
+          [&](const detail::GridQuery& linked) {
             return SeeingGuide<S>{{*this, linked.goal_cell}, space};
           },
           scratch, observer, straighten);
     }
     return detail::jump_search(
         space, query, scanner,
-        [&](const detail::LinkedQuery& linked) {
+        [&](const detail::GridQuery& linked) {
           return Guide{*this, linked.goal_cell};
         },
         scratch, observer, straighten);
@@ -75,7 +75,7 @@ struct JpsThetaStar {
 
  private:
   struct Guide {
-    using Open = detail::JumpHeap;
+    using Open = detail::BinaryHeap;
 
     const JpsThetaStar& options;
     Cell goal;
@@ -86,11 +86,11 @@ struct JpsThetaStar {
       return static_cast<Cost>(weight * h * static_cast<double>(straight_cost));
     }
   };
-  template <SightSpace S>
+  template <LineOfSightSpace S>
   struct SeeingGuide : Guide {
     const S& space;
 
-    bool sees(Cell a, Cell b) const { return space.sees(a, b); }
+    bool sees(Cell a, Cell b) const { return space.line_of_sight(a, b); }
   };
 };
 

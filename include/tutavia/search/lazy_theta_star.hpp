@@ -21,12 +21,12 @@ struct LazyThetaStar {
   static constexpr std::string_view name = "lazy_theta_star";
   using Scratch = detail::ThetaScratch;
 
-  Vertices vertices = Vertices::cell_centre;
+  NodePlacement nodes = NodePlacement::cell_centre;
 
-  template <SightSpace S, Observer O = NoObserver>
+  template <LineOfSightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    return detail::theta_search<detail::SightTest::at_expansion>(space, query, vertices, scratch,
+    return detail::theta_search<detail::SightTest::at_expansion>(space, query, nodes, scratch,
                                                                  observer);
   }
 };

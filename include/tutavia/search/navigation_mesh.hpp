@@ -29,7 +29,7 @@
 namespace tutavia {
 
 /// A decomposition of a grid's free cells into convex polygons with the sides they share: what
-/// RowRuns finds anew for every query, in far fewer pieces.
+/// FreeRuns finds anew for every query, in far fewer pieces.
 ///
 /// The polygons' vertices are the corners of the blocked regions, so no side ends in open space. A
 /// constrained Delaunay triangulation of them, its triangles merged while they stay convex.
@@ -61,7 +61,7 @@ class NavigationMesh {
            bins_.memory();
   }
 
-  /// A piece as RowRuns has it; here there is nothing to look up.
+  /// A piece as FreeRuns has it; here there is nothing to look up.
   Piece open(Piece piece) const { return piece; }
 
   /// Calls `visit(piece)` for every polygon that may touch a cell.
@@ -71,8 +71,8 @@ class NavigationMesh {
   }
 
   /// Whether a point lies in a polygon or on its border; `place(corner)` says where corners lie.
-  template <class Place>
-  bool holds(Piece piece, const Point& p, const Place& place) const {
+  template <class Coords>
+  bool holds(Piece piece, const Point& p, const Coords& place) const {
     for (const detail::PolygonSide& side : sides(piece)) {
       if (orientation(place(side.right), place(side.left), p) < 0) return false;
     }

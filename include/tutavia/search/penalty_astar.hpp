@@ -53,7 +53,7 @@ struct PenaltyAStar {
   struct HeadingGraph {
     const S& space;
     const Query& query;
-    const detail::LinkedQuery& linked;
+    const detail::GridQuery& linked;
     OccupancyGrid::View grid;
     const detail::SuccessorTable& table;
     double unit;  // so much a metre costs
@@ -97,7 +97,7 @@ struct PenaltyAStar {
     detail::GridGraphScratch& scratch;
 
     template <GridSpace S, Observer O>
-    Expected<detail::GridPath, Failure> run(const detail::LinkedQuery& linked,
+    Expected<detail::GridPath, Failure> run(const detail::GridQuery& linked,
                                             detail::SearchContext<S, O>& context) const {
       const S& space = context.space;
       const double unit = static_cast<double>(straight_cost) / space.frame().resolution;
@@ -109,8 +109,8 @@ struct PenaltyAStar {
           .table = detail::all_successors(space.movement()),
           .unit = unit,
           .eighth = static_cast<Cost>(std::lround(turn_penalty * std::numbers::pi / 4 * unit))};
-      return detail::search_cells(graph, detail::GoalEstimate(Heuristic::octile, linked), scratch,
-                                  context);
+      return detail::search_cells(graph, detail::GoalEstimate(HeuristicKind::octile, linked),
+                                  scratch, context);
     }
   };
 };

@@ -52,10 +52,10 @@ class ReaScratch {
     }
   };
 
-  detail::QueryLabels<Label> labels;
+  detail::StampedLabels<Label> labels;
   std::vector<Expansion> expansions;
-  detail::OpenList<Entry> open;
-  detail::OctileReach reach;
+  detail::OpenHeap<Entry> open;
+  detail::BorderCosts reach;
   std::vector<detail::CellRun> exits;
   std::vector<Cell> cells;
 };
@@ -87,7 +87,7 @@ namespace detail {
 template <ColumnSpace S, Observer O>
 class RectangleSearch {
  public:
-  RectangleSearch(SearchContext<S, O>& context, const LinkedQuery& linked, ReaScratch& scratch)
+  RectangleSearch(SearchContext<S, O>& context, const GridQuery& linked, ReaScratch& scratch)
       : context_(context),
         space_(context.space),
         rectangles_(space_),
@@ -97,7 +97,7 @@ class RectangleSearch {
         scratch_(scratch) {}
 
   Expected<void, Failure> run() {
-    scratch_.labels.begin(space_.grid().index_count());
+    scratch_.labels.reset(space_.grid().index_count());
     scratch_.expansions.clear();
     scratch_.open.clear();
     for (const auto& [cell, cost] : linked_.starts) {
@@ -193,11 +193,11 @@ class RectangleSearch {
   void expand(const ReaScratch::Entry& entry) {
     const CellInterval& from = entry.interval;
     const CellRectangle r = rectangles_.grow(from);
-    tell_of(context_.observer, space_, from, r);
+    notify_rectangle(context_.observer, space_, from, r);
     const auto expansion = static_cast<std::uint32_t>(scratch_.expansions.size());
     scratch_.expansions.push_back({from, r});
     bool is_unchanged = true;  // since the expansion that found the interval
-    scratch_.reach.begin(from, [&](int u) {
+    scratch_.reach.reset(from, [&](int u) {
       ReaScratch::Label& known = label(from.cell(u));
       known.is_expanded = 1;
       is_unchanged = is_unchanged && known.expansion == entry.expansion;
@@ -243,7 +243,7 @@ class RectangleSearch {
     CellInterval asked = edge;  // the cells of the side that lead to them, and those in between
     asked.first = std::max(scratch_.exits.front().first, edge.first);
     asked.last = std::min(scratch_.exits.back().last, edge.last);
-    const OctileReach& reach = scratch_.reach;
+    const BorderCosts& reach = scratch_.reach;
     scratch_.reach.reach(asked);
     const CellInterval beyond = edge.beyond();
     for (const auto& [begin, end] : scratch_.exits) {
@@ -268,7 +268,7 @@ class RectangleSearch {
   const S& space_;
   FreeRectangles rectangles_;
   OccupancyGrid::View grid_;
-  const LinkedQuery& linked_;
+  const GridQuery& linked_;
   OctileHeuristic estimate_;
   ReaScratch& scratch_;
   std::uint64_t sequence_ = 0;
@@ -281,7 +281,7 @@ struct RectangleGridSearch {
   ReaScratch& scratch;
 
   template <ColumnSpace S, Observer O>
-  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+  Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
     RectangleSearch<S, O> search(context, linked, scratch);
     if (auto found = search.run(); !found) return std::move(found).unexpected();
     search.path(scratch.cells);

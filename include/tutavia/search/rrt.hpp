@@ -43,7 +43,7 @@ struct Rrt {
       return std::move(valid).unexpected();
     }
     detail::SearchTree& tree = scratch.tree;
-    tree.begin(space.bounds(), query.start);
+    tree.reset(space.bounds(), query.start);
     if (auto straight = detail::straight_route(space, query)) return std::move(*straight);
     detail::TreeGrowth growth(space, query, step, observer);
     const auto add = [&](detail::SearchTree::Node parent, const Point& p) {

@@ -54,8 +54,8 @@ struct RrtConnect {
     if (auto valid = detail::check_growth(*this, space, query); !valid) {
       return std::move(valid).unexpected();
     }
-    scratch.from_start.begin(space.bounds(), query.start);
-    scratch.from_goal.begin(space.bounds(), query.goal);
+    scratch.from_start.reset(space.bounds(), query.start);
+    scratch.from_goal.reset(space.bounds(), query.goal);
     if (auto straight = detail::straight_route(space, query)) return std::move(*straight);
     detail::TreeGrowth growth(space, query, step, observer);
     detail::SearchTree *tree = &scratch.from_start, *other = &scratch.from_goal;

@@ -29,7 +29,7 @@ namespace tutavia {
 /// the detail; `cancelled`.
 struct RrtStar {
   static constexpr std::string_view name = "rrt_star";
-  using Scratch = detail::OptimalTreeScratch;
+  using Scratch = detail::RewiredTreeScratch;
 
   /// Longest step [m], at most the diagonal of the bounds; none: a 25th of their longer side. Edges
   /// to the k nearest may be longer.
@@ -42,7 +42,7 @@ struct RrtStar {
   template <FreeSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    return detail::search_with_optimal_tree(*this, space, query, scratch, observer,
+    return detail::search_with_rewired_tree(*this, space, query, scratch, observer,
                                             [](auto& growth, double) { return growth.sample(); });
   }
 };

@@ -36,7 +36,7 @@ namespace tutavia {
 /// Science Journal, October 2023 (RRTS); what it leaves open is decided in docs/algorithms.md.
 struct SafeRrtStar {
   static constexpr std::string_view name = "safe_rrt_star";
-  using Scratch = detail::OptimalTreeScratch;
+  using Scratch = detail::RewiredTreeScratch;
 
   /// Longest step [m], at most the diagonal of the bounds; none: a 25th of their longer side.
   std::optional<double> step{};
@@ -121,16 +121,16 @@ Expected<Route, Failure> SafeRrtStar::search(const S& space, const Query& query,
   const RiskZone risk_zone = zone(space);
   if (auto valid = risk_zone.check(); !valid) return std::move(valid).unexpected();
   const detail::OutsideRiskZone outside(space, risk_zone);
-  scratch.tree.begin(space.bounds(), query.start);
+  scratch.tree.reset(space.bounds(), query.start);
   if (auto straight = detail::straight_route(outside, query)) return std::move(*straight);
 
   const auto grow = [&](const auto& where, const auto& edge_cost,
                         const Statistics& before) -> Expected<Route, Failure> {
     detail::TreeGrowth growth(where, query, step, observer, before);
-    detail::OptimalTree tree(growth, {neighbours, rewire_factor}, edge_cost, scratch);
-    auto found = detail::grow_route(tree, growth, *this, [&](double) { return growth.sample(); });
+    detail::RewiredTree tree(growth, {neighbours, rewire_factor}, edge_cost, scratch);
+    auto found = detail::grow(tree, growth, *this, [&](double) { return growth.sample(); });
     if (!found) return found;
-    Route route = detail::pruned(where, joints(found->curve), edge_cost, prune);
+    Route route = detail::pruned(where, waypoints(found->curve), edge_cost, prune);
     route.stats = found->stats;
     return route;
   };

@@ -32,7 +32,7 @@ struct SearchRecord {
 
   void expanded(const Point& p) { add_node(SearchEvent::Kind::expanded, p); }
   void generated(const Point& p) { add_node(SearchEvent::Kind::generated, p); }
-  void grown(const Segment& interval, const Box& rectangle) {
+  void on_rectangle(const Segment& interval, const Box& rectangle) {
     events.push_back({SearchEvent::Kind::interval, interval.a, interval.b});
     events.push_back({SearchEvent::Kind::rectangle, rectangle.min, rectangle.max});
   }

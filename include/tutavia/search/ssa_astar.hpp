@@ -44,11 +44,11 @@ struct SsaAStar {
                                   O& observer) const {
     if (auto valid = check(weights); !valid) return std::move(valid).unexpected();
     return detail::graph_search(
-        space, query, scratch, observer, detail::PlainPrices{},
-        [&](const detail::LinkedQuery& linked) {
+        space, query, scratch, observer, detail::PlainStepCosts{},
+        [&](const detail::GridQuery& linked) {
           return [w = weights, grid = space.grid().view(),
-                  chebyshev = detail::GoalEstimate(Heuristic::chebyshev, linked),
-                  euclidean = detail::GoalEstimate(Heuristic::euclidean, linked)](Cell cell) {
+                  chebyshev = detail::GoalEstimate(HeuristicKind::chebyshev, linked),
+                  euclidean = detail::GoalEstimate(HeuristicKind::euclidean, linked)](Cell cell) {
             const int free = std::popcount(unsigned{grid.neighbourhood(grid.index(cell))});
             return static_cast<Cost>(w.chebyshev * static_cast<double>(chebyshev(cell)) +
                                      w.euclidean * static_cast<double>(euclidean(cell)) +

@@ -43,13 +43,13 @@ class TangentScratch {
   };
   /// A way that was taken, to where it touches a circle (or to the goal).
   struct Arrival {
-    detail::Bitangent way;
+    detail::TangentLine way;
     double cost;  // up to there
     std::uint32_t node, parent, next;
     double turn;  // around the circle before
   };
 
-  detail::OpenList<Entry> open;
+  detail::OpenHeap<Entry> open;
   std::vector<Arrival> arrivals;
   std::vector<std::uint32_t> first;  // arrival of each node
 };
@@ -70,27 +70,28 @@ class TangentScratch {
 struct TangentGraph {
   static constexpr std::string_view name = "tangent_graph";
   using Scratch = TangentScratch;
-  using Prepared = TangentMap;
+  using Prepared = TangentVisibilityGraph;
 
   /// Paths longer than this are not looked for [m].
   double bound = std::numeric_limits<double>::infinity();
   /// Of the space, for many queries on it; none: tangents are found as they are wanted.
-  std::shared_ptr<const TangentMap> tangents{};
+  std::shared_ptr<const TangentVisibilityGraph> tangents{};
 
-  /// The tangents of a space. Errors: those of `TangentMap::prepare`.
+  /// The tangents of a space. Errors: those of `TangentVisibilityGraph::prepare`.
   template <FeatureSpace S>
-  static Expected<std::shared_ptr<const TangentMap>, Failure> prepare(const S& space,
-                                                                      const Budget& budget = {}) {
-    auto map = TangentMap::prepare(space, budget);
+  static Expected<std::shared_ptr<const TangentVisibilityGraph>, Failure> prepare(
+      const S& space, const Budget& budget = {}) {
+    auto map = TangentVisibilityGraph::prepare(space, budget);
     if (!map) return std::move(map).unexpected();
-    return std::make_shared<const TangentMap>(std::move(*map));
+    return std::make_shared<const TangentVisibilityGraph>(std::move(*map));
   }
 
   /// Errors: `invalid_option` for a bound that is not a number, for tangents that are not prepared
   /// and at safety radius 0, where obstacles may not be touched (tangents of another space are not
-  /// noticed: see `TangentMap::matches`); what is wrong with start or goal; `unreachable`, also
-  /// when there is no path within the bound; `not_proved` where start or goal lies within rounding
-  /// of the safety radius and no path can be proved for that; what the budget says.
+  /// noticed: see `TangentVisibilityGraph::matches`); what is wrong with start or goal;
+  /// `unreachable`, also when there is no path within the bound; `not_proved` where start or goal
+  /// lies within rounding of the safety radius and no path can be proved for that; what the budget
+  /// says.
   template <FeatureSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const;
@@ -101,7 +102,7 @@ namespace detail {
 template <FeatureSpace S, Observer O>
 class TangentSearch {
  public:
-  TangentSearch(SearchContext<S, O>& context, const TangentMap& map, double bound,
+  TangentSearch(SearchContext<S, O>& context, const TangentVisibilityGraph& map, double bound,
                 TangentScratch& scratch)
       : context_(context),
         space_(context.space),
@@ -127,7 +128,7 @@ class TangentSearch {
     }
     // A path that leaves or meets a safety zone at its rim, which only exact arcs could follow.
     for (const Point& end : {query_.start, query_.goal}) {
-      if (space_.clearance(end) < space_.safety_radius() + 8 * space_.slack()) {
+      if (space_.clearance(end) < space_.safety_radius() + 8 * space_.distance_error_bound()) {
         return fail(PlanError::not_proved,
                     "start or goal touches a safety zone, and no path from there can be proved");
       }
@@ -146,11 +147,12 @@ class TangentSearch {
     Point at = query_.start;
     for (auto i = chain.rbegin(); i != chain.rend(); ++i) {
       const TangentScratch::Arrival& arrival = scratch_.arrivals[*i];
-      const SidedCircle circle = circle_of(scratch_.arrivals[arrival.parent].node);
-      for_each_arc(circle, at, arrival.way.from, arrival.turn, space_.slack(), [&](const Arc& arc) {
-        curve.push_back(arc);
-        at = arc.b;
-      });
+      const OrientedCircle circle = circle_of(scratch_.arrivals[arrival.parent].node);
+      for_each_arc(circle, at, arrival.way.from, arrival.turn, space_.distance_error_bound(),
+                   [&](const Arc& arc) {
+                     curve.push_back(arc);
+                     at = arc.b;
+                   });
       curve.push_back(Segment{at, arrival.way.to});
       at = arrival.way.to;
     }
@@ -158,32 +160,32 @@ class TangentSearch {
   }
 
  private:
-  static constexpr TangentMap::Node none = TangentMap::none;
+  static constexpr TangentVisibilityGraph::Node none = TangentVisibilityGraph::none;
 
   /// The goal is a node more; the start has none.
-  TangentMap::Node goal_node() const { return map_.nodes(); }
-  SidedCircle circle_of(TangentMap::Node node) const {
+  TangentVisibilityGraph::Node goal_node() const { return map_.nodes(); }
+  OrientedCircle circle_of(TangentVisibilityGraph::Node node) const {
     if (node == none) return {query_.start, 0, 1};
     if (node == goal_node()) return {query_.goal, 0, 1};
     return map_.circle(node);
   }
-  bool touches(TangentMap::Node node, const Point& direction) const {
+  bool touches(TangentVisibilityGraph::Node node, const Point& direction) const {
     return node == none || node == goal_node() || map_.touches(node, direction);
   }
   /// The turn around a circle from one direction to another, in [0, 2 pi).
-  static double turn_between(const SidedCircle& circle, const Point& from, const Point& to) {
-    const double turn = circle.side * deflection(from, to);
+  static double turn_between(const OrientedCircle& circle, const Point& from, const Point& to) {
+    const double turn = circle.side * turn_angle(from, to);
     return turn >= 0 ? turn : turn > -1e-9 ? 0 : turn + 2 * std::numbers::pi;
   }
 
   /// A way on from an arrival, the turn before it and the cost at its end.
   struct Step {
-    Bitangent way;
+    TangentLine way;
     double turn, cost;
   };
   std::optional<Step> step(const TangentScratch::Arrival& from, std::uint32_t node) const {
-    const SidedCircle circle = circle_of(from.node);
-    const auto way = bitangent(circle, circle_of(node));
+    const OrientedCircle circle = circle_of(from.node);
+    const auto way = tangent_line(circle, circle_of(node));
     if (!way || !touches(from.node, way->direction) || !touches(node, way->direction)) {
       return std::nullopt;
     }
@@ -196,17 +198,19 @@ class TangentSearch {
     const TangentScratch::Arrival from = scratch_.arrivals[index];
     context_.count_expanded(from.way.to);
     if (from.node != none && map_.is_prepared()) {
-      for (const TangentMap::Node node : map_.ways(from.node)) generate(index, from, node, true);
+      for (const TangentVisibilityGraph::Node node : map_.ways(from.node))
+        generate(index, from, node, true);
     } else {
-      map_.for_each_candidate(circle_of(from.node), from.node,
-                              [&](TangentMap::Node node) { generate(index, from, node, false); });
+      map_.for_each_candidate(
+          circle_of(from.node), from.node,
+          [&](TangentVisibilityGraph::Node node) { generate(index, from, node, false); });
     }
     generate(index, from, goal_node(), false);
   }
 
   /// Puts a way on from an arrival into the open list.
-  void generate(std::uint32_t index, const TangentScratch::Arrival& from, TangentMap::Node node,
-                bool is_proved) {
+  void generate(std::uint32_t index, const TangentScratch::Arrival& from,
+                TangentVisibilityGraph::Node node, bool is_proved) {
     const auto next = step(from, node);
     if (!next) return;
     const double key = next->cost + distance(next->way.to, query_.goal);
@@ -217,7 +221,7 @@ class TangentSearch {
 
   /// Whether an arrival at the same circle gets there by its arc at no more cost.
   bool is_dominated(std::uint32_t node, const Step& step) const {
-    const SidedCircle circle = circle_of(node);
+    const OrientedCircle circle = circle_of(node);
     for (std::uint32_t i = scratch_.first[node]; i != none; i = scratch_.arrivals[i].next) {
       const TangentScratch::Arrival& other = scratch_.arrivals[i];
       const double turn = turn_between(circle, other.way.direction, step.way.direction);
@@ -227,10 +231,10 @@ class TangentSearch {
     return false;
   }
 
-  bool is_arc_free(const SidedCircle& circle, const Point& in, const Point& out,
+  bool is_arc_free(const OrientedCircle& circle, const Point& in, const Point& out,
                    double turn) const {
     bool free = true;
-    for_each_arc(circle, in, out, circle.side * turn, space_.slack(),
+    for_each_arc(circle, in, out, circle.side * turn, space_.distance_error_bound(),
                  [&](const Arc& arc) { free = free && is_proved_free(space_, arc); });
     return free;
   }
@@ -243,7 +247,7 @@ class TangentSearch {
     if (!entry.is_proved && !space_.segment_free(next.way.from, next.way.to)) {
       return false;
     }
-    const SidedCircle circle = circle_of(from.node);
+    const OrientedCircle circle = circle_of(from.node);
     if (!is_arc_free(circle, from.way.to, next.way.from, next.turn)) return false;
     const auto index = static_cast<std::uint32_t>(scratch_.arrivals.size());
     scratch_.arrivals.push_back({next.way, next.cost, entry.node, entry.parent,
@@ -255,7 +259,7 @@ class TangentSearch {
   SearchContext<S, O>& context_;
   const S& space_;
   const Query& query_;
-  const TangentMap& map_;
+  const TangentVisibilityGraph& map_;
   double bound_;
   TangentScratch& scratch_;
   std::uint32_t sequence_ = 0;
@@ -279,9 +283,10 @@ Expected<Route, Failure> TangentGraph::search(const S& space, const Query& query
   if (tangents != nullptr && !tangents->is_prepared()) {
     return fail(PlanError::invalid_option, "tangents must be prepared");
   }
-  const std::optional<TangentMap> own =
-      tangents == nullptr ? std::optional<TangentMap>(TangentMap(space)) : std::nullopt;
-  const TangentMap& map = own ? *own : *tangents;
+  const std::optional<TangentVisibilityGraph> own =
+      tangents == nullptr ? std::optional<TangentVisibilityGraph>(TangentVisibilityGraph(space))
+                          : std::nullopt;
+  const TangentVisibilityGraph& map = own ? *own : *tangents;
   detail::SearchContext<S, O> context{space, query, observer};
   detail::TangentSearch search(context, map, bound, scratch);
   if (auto found = search.run(); !found) {

@@ -18,7 +18,7 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// TangentMap: what shortest paths of a disc turn around, and the ways between.
+/// TangentVisibilityGraph: what shortest paths of a disc turn around, and the ways between.
 
 namespace tutavia {
 
@@ -30,21 +30,23 @@ namespace tutavia {
 ///
 /// Nodes are circles passed on one side: an even number has the circle on the left of the path, the
 /// next one the same circle on the right.
-class TangentMap {
+class TangentVisibilityGraph {
  public:
   using Node = detail::TangentCircles::Node;
   static constexpr Node none = detail::TangentCircles::none;
 
   /// The circles alone. O(n log n) for n obstacle edges.
   template <FeatureSpace S>
-  explicit TangentMap(const S& space)
-      : setting_{space.bounds().min, space.bounds().max, space.safety_radius(), space.slack()},
+  explicit TangentVisibilityGraph(const S& space)
+      : conditions_{space.bounds().min, space.bounds().max, space.safety_radius(),
+                    space.distance_error_bound()},
         circles_(space) {}
 
   /// The circles and all proved ways between them: O(n^2) for n vertices, seconds for thousands.
   /// Errors: what the budget says.
   template <FeatureSpace S>
-  static Expected<TangentMap, Failure> prepare(const S& space, const Budget& budget = {});
+  static Expected<TangentVisibilityGraph, Failure> prepare(const S& space,
+                                                           const Budget& budget = {});
 
   /// What `prepare(after)` gives, with the same circles and ways in the same order, but without a
   /// proof of those ways that keep away from the changes. O(n^2) quick looks for n vertices; where
@@ -57,12 +59,12 @@ class TangentMap {
   /// prepared anew.
   /// Errors: what the budget says.
   template <FeatureSpace S>
-  Expected<TangentMap, Failure> updated(const S& after, std::span<const Box> changed,
-                                        const Budget& budget = {}) const;
+  Expected<TangentVisibilityGraph, Failure> updated(const S& after, std::span<const Box> changed,
+                                                    const Budget& budget = {}) const;
   static constexpr std::size_t most_boxes = 32;
 
   Node nodes() const { return circles_.nodes(); }
-  detail::SidedCircle circle(Node node) const { return circles_.of(node); }
+  detail::OrientedCircle circle(Node node) const { return circles_.of(node); }
   /// Whether a path may touch a node's circle while it runs in a direction (a unit vector): where
   /// no edge of the circle's vertex comes nearer.
   bool touches(Node node, const Point& direction) const {
@@ -72,7 +74,7 @@ class TangentMap {
   /// Calls `visit(node)` for all nodes to which there may be a way from a circle, that of the node
   /// `from` or of none; a quick look drops most that cannot be touched.
   template <class Visit>
-  void for_each_candidate(const detail::SidedCircle& at, Node from, Visit visit) const {
+  void for_each_candidate(const detail::OrientedCircle& at, Node from, Visit visit) const {
     circles_.for_each_candidate(at, from, visit);
   }
 
@@ -84,10 +86,10 @@ class TangentMap {
   /// Whether it may be one of this space: it has as many circles, of these sizes.
   template <FeatureSpace S>
   bool matches(const S& space) const {
-    return TangentMap(space).circles_ == circles_;
+    return TangentVisibilityGraph(space).circles_ == circles_;
   }
   /// The same circles with the same ways, for the same bounds and safety radius.
-  bool operator==(const TangentMap&) const = default;
+  bool operator==(const TangentVisibilityGraph&) const = default;
   /// In bytes.
   std::size_t memory() const {
     return circles_.memory() + (ways_.size() + first_way_.size()) * sizeof(Node);
@@ -97,31 +99,33 @@ class TangentMap {
   using Way = std::pair<Node, Node>;
 
   /// What the proof of every way depends on.
-  struct Setting {
+  struct ProofConditions {
     Point lower, upper;  // of the bounds
     double safety_radius, slack;
-    bool operator==(const Setting&) const = default;
+    bool operator==(const ProofConditions&) const = default;
   };
 
   /// The ways of this map that another one has as well, between the same circles there, but for
   /// those that `is_affected(first, second)` says of their circles.
   template <class IsAffected>
-  std::vector<Way> ways_kept_in(const TangentMap& other, const IsAffected& is_affected) const;
+  std::vector<Way> ways_kept_in(const TangentVisibilityGraph& other,
+                                const IsAffected& is_affected) const;
   /// Adds the way between two nodes, if there is one, both ways round. \pre from < to
   template <FeatureSpace S>
   void find_way(const S& space, Node from, Node to, std::vector<Way>& ways) const;
   /// \pre sorted
   void set_ways(const std::vector<Way>& ways);
 
-  Setting setting_;
+  ProofConditions conditions_;
   detail::TangentCircles circles_;
   std::vector<Node> ways_;
   std::vector<std::uint32_t> first_way_;  // of each node, and one past the last
 };
 
 template <FeatureSpace S>
-void TangentMap::find_way(const S& space, Node from, Node to, std::vector<Way>& ways) const {
-  const auto way = detail::bitangent(circle(from), circle(to));
+void TangentVisibilityGraph::find_way(const S& space, Node from, Node to,
+                                      std::vector<Way>& ways) const {
+  const auto way = detail::tangent_line(circle(from), circle(to));
   if (!way || !touches(from, way->direction) || !touches(to, way->direction)) return;
   // The space's own test is a proof as well, and done at the first obstacle in the way.
   if (!space.segment_free(way->from, way->to)) return;
@@ -129,7 +133,7 @@ void TangentMap::find_way(const S& space, Node from, Node to, std::vector<Way>& 
   ways.emplace_back(to ^ 1u, from ^ 1u);
 }
 
-inline void TangentMap::set_ways(const std::vector<Way>& ways) {
+inline void TangentVisibilityGraph::set_ways(const std::vector<Way>& ways) {
   first_way_.assign(nodes() + std::size_t{1}, 0);
   ways_.reserve(ways.size());
   for (const auto& [from, to] : ways) {
@@ -140,8 +144,9 @@ inline void TangentMap::set_ways(const std::vector<Way>& ways) {
 }
 
 template <FeatureSpace S>
-Expected<TangentMap, Failure> TangentMap::prepare(const S& space, const Budget& budget) {
-  TangentMap map(space);
+Expected<TangentVisibilityGraph, Failure> TangentVisibilityGraph::prepare(const S& space,
+                                                                          const Budget& budget) {
+  TangentVisibilityGraph map(space);
   std::vector<Way> ways;
   for (Node from = 0; from < map.nodes(); ++from) {
     if (from % 16 == 0) {
@@ -158,8 +163,8 @@ Expected<TangentMap, Failure> TangentMap::prepare(const S& space, const Budget& 
 }
 
 template <class IsAffected>
-std::vector<TangentMap::Way> TangentMap::ways_kept_in(const TangentMap& other,
-                                                      const IsAffected& is_affected) const {
+std::vector<TangentVisibilityGraph::Way> TangentVisibilityGraph::ways_kept_in(
+    const TangentVisibilityGraph& other, const IsAffected& is_affected) const {
   const std::vector<Node> places = circles_.places_in(other.circles_);
   std::vector<Way> kept;
   kept.reserve(ways_.size());
@@ -181,14 +186,14 @@ std::vector<TangentMap::Way> TangentMap::ways_kept_in(const TangentMap& other,
 /// that obstacle's box, grown by a circle's radius. And it stays within the larger of its two radii
 /// of the line of the centres. All pairs of which that line comes near a box are looked at anew.
 template <FeatureSpace S>
-Expected<TangentMap, Failure> TangentMap::updated(const S& after, std::span<const Box> changed,
-                                                  const Budget& budget) const {
-  TangentMap map(after);
-  if (!is_prepared() || map.setting_ != setting_ || changed.size() > most_boxes) {
+Expected<TangentVisibilityGraph, Failure> TangentVisibilityGraph::updated(
+    const S& after, std::span<const Box> changed, const Budget& budget) const {
+  TangentVisibilityGraph map(after);
+  if (!is_prepared() || map.conditions_ != conditions_ || changed.size() > most_boxes) {
     return prepare(after, budget);
   }
   const detail::ChangedZones zones(changed, after.bounds(),
-                                   after.safety_radius() + 8 * after.slack());
+                                   after.safety_radius() + 8 * after.distance_error_bound());
   // The circles always in the same order, as rounding might tell a way from its way back.
   const auto is_affected = [&](const auto& first, const auto& second) {
     return zones.are_near(first.center, second.center, std::max(first.radius, second.radius));

@@ -24,13 +24,12 @@ struct ThetaStar {
   static constexpr std::string_view name = "theta_star";
   using Scratch = detail::ThetaScratch;
 
-  Vertices vertices = Vertices::cell_centre;
+  NodePlacement nodes = NodePlacement::cell_centre;
 
-  template <SightSpace S, Observer O = NoObserver>
+  template <LineOfSightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    return detail::theta_search<detail::SightTest::at_once>(space, query, vertices, scratch,
-                                                            observer);
+    return detail::theta_search<detail::SightTest::at_once>(space, query, nodes, scratch, observer);
   }
 };
 

@@ -29,12 +29,12 @@ struct WeightedAStar {
       return fail(PlanError::invalid_option, "weight must lie between 1 and 1000");
     }
     return detail::graph_search(
-        space, query, scratch, observer, detail::PlainPrices{},
-        [this](const detail::LinkedQuery& linked) {
-          return
-              [w = weight, estimate = detail::GoalEstimate(Heuristic::octile, linked)](Cell cell) {
-                return static_cast<Cost>(w * static_cast<double>(estimate(cell)));
-              };
+        space, query, scratch, observer, detail::PlainStepCosts{},
+        [this](const detail::GridQuery& linked) {
+          return [w = weight,
+                  estimate = detail::GoalEstimate(HeuristicKind::octile, linked)](Cell cell) {
+            return static_cast<Cost>(w * static_cast<double>(estimate(cell)));
+          };
         });
   }
 };

@@ -50,7 +50,7 @@ struct BSplineSmoother {
     }
     auto pruned = RedundantNodeRemoval{}.smooth(space, input, budget);
     if (!pruned) return pruned;
-    return spline(space, joints(*pruned), budget);
+    return spline(space, waypoints(*pruned), budget);
   }
 
  private:

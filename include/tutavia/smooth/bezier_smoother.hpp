@@ -91,19 +91,19 @@ struct BezierSmoother {
     CubicBezier piece{{Point::Zero(), Point::Zero(), Point::Zero(), Point::Zero()}};
   };
   /// A place on a piece, and the direction of travel there.
-  struct Place {
+  struct CurveLocation {
     double parameter;
     Point position, direction;
   };
 
   /// The place at arc length s of a piece of length `total`.
-  static Place place(const Piece& piece, double s, double total) {
+  static CurveLocation location(const Piece& piece, double s, double total) {
     return piece.visit([&](const auto& p) {
       const double t = detail::parameter_at(p, s, total, s / total);
       Point direction = p.derivative(t);
       const double speed = direction.norm();
       if (speed > 0) direction = {direction.x() / speed, direction.y() / speed};
-      return Place{t, p.point(t), direction};
+      return CurveLocation{t, p.point(t), direction};
     });
   }
 
@@ -121,11 +121,11 @@ struct BezierSmoother {
     }
     double taken = std::min({trim * length_unit(space), before / 2, after / 2});
     for (int halvings = 0; halvings <= 8 && taken > 0; ++halvings, taken /= 2) {
-      const Place a = place(in, before - taken, before), b = place(out, taken, after);
+      const CurveLocation a = location(in, before - taken, before), b = location(out, taken, after);
       if (a.parameter == 1 || b.parameter == 0) break;
       const double handle = fullness * taken;
-      const CubicBezier piece{{a.position, advance(a.position, handle, a.direction),
-                               advance(b.position, -handle, b.direction), b.position}};
+      const CubicBezier piece{{a.position, offset_along(a.position, handle, a.direction),
+                               offset_along(b.position, -handle, b.direction), b.position}};
       if (piece.length() <= 2 * taken && is_proved_free(space, piece)) {
         return {true, a.parameter, b.parameter, piece};
       }

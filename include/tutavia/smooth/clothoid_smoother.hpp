@@ -67,10 +67,10 @@ struct ClothoidSmoother {
     auto string = taut(space, input, budget);
     if (!string || string->empty()) return string;
     const double unit = space.safety_radius() > 0 ? space.safety_radius() : length_unit(space);
-    detail::SpiralString<S> spiral_string(space, *string,
-                                          {.margin = clearance_budget * unit,
-                                           .min_turning_radius = min_turning_radius,
-                                           .has_beziers = spirals == Spirals::cubic_beziers});
+    detail::ClothoidString<S> spiral_string(space, *string,
+                                            {.margin = clearance_budget * unit,
+                                             .min_turning_radius = min_turning_radius,
+                                             .has_beziers = spirals == Spirals::cubic_beziers});
     if (auto failure = spiral_string.widen(budget)) {
       if (failure->code == PlanError::not_proved && spiral_string.was_gentle()) return string;
       return Unexpected{std::move(*failure)};

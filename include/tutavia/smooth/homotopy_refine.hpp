@@ -41,8 +41,8 @@ struct HomotopyRefine {
     Query query{.start = input.start(), .goal = input.end(), .budget = budget};
     query.budget.max_expansions = std::min(budget.max_expansions, max_expansions);
     TangentGraph::Scratch scratch;
-    NoObserver nobody;
-    auto route = TangentGraph{.bound = input.length()}.search(space, query, scratch, nobody);
+    NoObserver no_observer;
+    auto route = TangentGraph{.bound = input.length()}.search(space, query, scratch, no_observer);
     if (route && route->curve.length() < input.length()) return std::move(route->curve);
     if (!route && route.error().code == PlanError::cancelled) return Unexpected{route.error()};
     return input;

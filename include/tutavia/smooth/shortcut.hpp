@@ -31,7 +31,7 @@ struct Shortcut {
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     auto curve = detail::free_steps(space, input, budget);
     if (!curve) return curve;
-    const std::vector<Point> points = joints(*curve);
+    const std::vector<Point> points = waypoints(*curve);
     Curve result;
     for (std::size_t i = 0; i + 1 < points.size();) {
       if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while taking shortcuts");

@@ -61,18 +61,18 @@ namespace detail {
 
 /// Smooths a route section by section.
 template <ClearanceSpace S>
-class SplineSections {
+class PiecewiseSplineFit {
  public:
   /// `bound` and `pieces` are those of the whole route. \pre no two successive nodes are equal,
   /// the steps between them are proved
-  SplineSections(const S& space, const Budget& budget, std::span<const Point> nodes, double bound,
-                 std::size_t pieces)
+  PiecewiseSplineFit(const S& space, const Budget& budget, std::span<const Point> nodes,
+                     double bound, std::size_t pieces)
       : space_(space),
         budget_(budget),
         nodes_(nodes),
         bound_per_node_(bound / static_cast<double>(nodes.size())),
         pieces_per_step_(static_cast<double>(pieces) / static_cast<double>(nodes.size() - 1)),
-        rounding_(8 * 0x1p-53 * space.magnitude()) {}
+        rounding_(8 * 0x1p-53 * space.largest_coordinate()) {}
 
   /// Appends the pieces from node `first` to `last` to the result, or says that the budget ended.
   /// \pre first < last
@@ -121,8 +121,8 @@ class SplineSections {
       const double t = i < count ? i * step : spline.end();
       const Point end = i < count ? spline.point(t) : section.back();
       const Point end_tangent = spline.derivative(t);
-      const CubicBezier piece{
-          {start, advance(start, step / 3, tangent), advance(end, -step / 3, end_tangent), end}};
+      const CubicBezier piece{{start, offset_along(start, step / 3, tangent),
+                               offset_along(end, -step / 3, end_tangent), end}};
       if (!is_proved_free(space_, piece)) return false;
       curve.push_back(piece);
       start = end, tangent = end_tangent;
@@ -178,7 +178,7 @@ Expected<Curve, Failure> SmoothingSpline::smooth(const S& space, const Curve& in
   if (nodes.size() < 2) return Curve::polyline(nodes);
 
   const double unit = length_unit(space), bound = smoothing * (unit * unit);
-  detail::SplineSections sections(space, budget, nodes, bound, output_points - 1);
+  detail::PiecewiseSplineFit sections(space, budget, nodes, bound, output_points - 1);
   if (const auto exceeded = sections.smooth(0, nodes.size() - 1)) {
     return fail(*exceeded, "while smoothing");
   }

@@ -130,7 +130,7 @@ class PortalTrace {
     const Cell cell{column, row};
     if (!is_free(cell)) return false;
     if (has_run_ && run_.y0 == row && holds(column)) return true;
-    const CellBox next = runs_.open(static_cast<RowRuns::Piece>(grid().index(cell)));
+    const CellBox next = runs_.open(static_cast<FreeRuns::Piece>(grid().index(cell)));
     if (has_run_) {
       const int x0 = std::max(run_.x0, next.x0), x1 = std::min(run_.x1, next.x1);
       const bool up = next.y0 == run_.y0 + 1;
@@ -150,7 +150,7 @@ class PortalTrace {
   }
 
   const CellSpace& space_;
-  RowRuns runs_;
+  FreeRuns runs_;
   CellBox run_{};
   bool has_run_ = false;
   std::vector<Portal> portals_;
@@ -196,7 +196,7 @@ struct StringPull {
     }
     Curve result;
     Point from = curve.start();
-    const std::vector<Point> path = detail::pull_through(portals, from, curve.end());
+    const std::vector<Point> path = detail::funnel_path(portals, from, curve.end());
     for (std::size_t i = 1; i < path.size(); ++i) {
       const bool last = i + 1 == path.size();
       if (!last && (path[i] == from || orientation(from, path[i], path[i + 1]) == 0)) continue;

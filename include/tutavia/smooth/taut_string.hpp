@@ -39,7 +39,7 @@ struct TautString {
     const auto nodes = detail::free_polyline(space, input, budget, "the taut string");
     if (!nodes) return Unexpected{nodes.error()};
     if (nodes->empty()) return input;
-    detail::PulledString<S> string(space, *nodes, budget);
+    detail::TautStringSolver<S> string(space, *nodes, budget);
     if (string.pull() == PlanError::cancelled) {
       return fail(PlanError::cancelled, "while pulling a string");
     }

@@ -66,7 +66,7 @@ class CellSpace {
   const detail::StopPlanes& stop_planes() const { return layer_.stop_planes(); }
   const OccupancyGrid& columns() const { return layer_.columns(); }
   const OccupancyGrid& corners() const { return layer_.corners(); }
-  Links links(const Point& p) const {
+  EndpointLinks links(const Point& p) const {
     if (!bounds_.contains(p)) return {};
     return layer_.links(p, 0,
                         [this](const Point& a, const Point& b) { return segment_free(a, b); });
@@ -75,25 +75,26 @@ class CellSpace {
   /// Whether the segment between the reference points of two cells is free. At safety radius 0 it
   /// keeps to cells that a path may step on and, like steps under `no_cut`, touches no other;
   /// otherwise it is free as any segment.
-  bool sees(Cell a, Cell b) const {
-    if (safety_radius_ == 0) return line_of_sight(grid().view(), layer_.columns().view(), a, b);
+  bool line_of_sight(Cell a, Cell b) const {
+    if (safety_radius_ == 0)
+      return tutavia::line_of_sight(grid().view(), layer_.columns().view(), a, b);
     return segment_free(frame().point(a), frame().point(b));
   }
 
   const Box& bounds() const { return bounds_; }
   double safety_radius() const { return safety_radius_; }
-  double magnitude() const { return magnitude_; }
-  double slack() const { return rounding_slack(magnitude_); }
+  double largest_coordinate() const { return magnitude_; }
+  double distance_error_bound() const { return distance_rounding_error(magnitude_); }
 
   bool is_free(const Point& p) const { return segment_free(p, p); }
   bool segment_free(const Point& p, const Point& q) const;
   /// Signed distance from `p` to the nearest blocked cell [m], negative inside; infinity where no
   /// cell is blocked.
   double clearance(const Point& p) const;
-  /// See ClearanceSpace. Proximity::obstacle is the index of the blocked cell in `cells()`, its
-  /// edges count from the right one counterclockwise.
+  /// See ClearanceSpace. NearestObstacle::obstacle is the index of the blocked cell in `cells()`,
+  /// its edges count from the right one counterclockwise.
   template <class P>
-  Proximity nearest(const P& piece, double cap) const;
+  NearestObstacle nearest(const P& piece, double cap) const;
   /// Whether `p` lies inside the union of the blocked cells, or on the map's border where a blocked
   /// cell is.
   bool is_inside(const Point& p) const { return edges().meets_inside({p, p}); }
@@ -120,11 +121,11 @@ class CellSpace {
         corner_(origin),
         bounds_{origin, corner({layer_.grid().width(), layer_.grid().height()})},
         safety_radius_(options.safety_radius),
-        magnitude_(std::fmax(bounds_.magnitude(), safety_radius_)) {}
+        magnitude_(std::fmax(bounds_.largest_coordinate(), safety_radius_)) {}
 
   /// The blocked cells and their edges.
   detail::BlockedEdges edges() const {
-    return {cells(), corner_, layer_.frame().resolution, slack()};
+    return {cells(), corner_, layer_.frame().resolution, distance_error_bound()};
   }
 
   detail::GridLayer layer_;
@@ -205,7 +206,7 @@ inline Expected<CellSpace, Failure> CellSpace::build(OccupancyGrid cells,
 }
 
 template <class P>
-Proximity CellSpace::nearest(const P& piece, double cap) const {
+NearestObstacle CellSpace::nearest(const P& piece, double cap) const {
   return detail::nearest_feature(
       piece, cap, safety_radius_ + 2 * frame().resolution, bounds_, [&](double reach, auto visit) {
         edges().for_each_near(piece, reach,
@@ -219,13 +220,13 @@ inline bool CellSpace::segment_free(const Point& p, const Point& q) const {
   if (!bounds_.contains(p) || !bounds_.contains(q)) return false;
   const Segment segment{p, q};
   if (safety_radius_ == 0) return !edges().meets_inside(segment);
-  const double reach = safety_radius_ + slack();
+  const double reach = safety_radius_ + distance_error_bound();
   const double distance = nearest(segment, reach).distance;
-  if (distance < safety_radius_ - slack()) return false;
+  if (distance < safety_radius_ - distance_error_bound()) return false;
   bool free = true;
   if (distance < reach) {  // a tie: to be settled exactly
     edges().for_each_near(segment, reach, [&](const Segment& edge, std::uint32_t, std::uint32_t) {
-      free = free && keeps_distance(segment, edge, 0, safety_radius_, slack());
+      free = free && keeps_distance(segment, edge, 0, safety_radius_, distance_error_bound());
       return reach;
     });
   }

@@ -22,7 +22,7 @@
 namespace tutavia {
 
 /// The obstacle part nearest to some piece.
-struct Proximity {
+struct NearestObstacle {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   double distance = std::numeric_limits<double>::infinity();  ///< [m]; see ClearanceSpace
@@ -53,20 +53,20 @@ concept FreeSpace = requires(const S& s, const Point& p) {
 ///
 /// `clearance(p)` is the signed distance from p to the nearest obstacle, negative inside.
 /// `nearest(piece, cap)` is the distance from a segment or an arc to the nearest obstacle boundary,
-/// exact to `slack()` (and the arc's evaluation error) where it is below `cap`; else `cap` with
-/// obstacle `none`. Solid discs count negative inside. `is_inside(p)` says whether a point off the
-/// boundaries lies inside a polygon. Free space is where the clearance is `safety_radius()` or
-/// more.
+/// exact to `distance_error_bound()` (and the arc's evaluation error) where it is below `cap`; else
+/// `cap` with obstacle `none`. Solid discs count negative inside. `is_inside(p)` says whether a
+/// point off the boundaries lies inside a polygon. Free space is where the clearance is
+/// `safety_radius()` or more.
 template <class S>
 concept ClearanceSpace = FreeSpace<S> &&
     requires(const S& s, const Point& p, const Segment& segment, const Arc& arc, double cap) {
   { s.clearance(p) } -> std::same_as<double>;
-  { s.nearest(segment, cap) } -> std::same_as<Proximity>;
-  { s.nearest(arc, cap) } -> std::same_as<Proximity>;
+  { s.nearest(segment, cap) } -> std::same_as<NearestObstacle>;
+  { s.nearest(arc, cap) } -> std::same_as<NearestObstacle>;
   { s.is_inside(p) } -> std::same_as<bool>;
   { s.safety_radius() } -> std::same_as<double>;
-  { s.slack() } -> std::same_as<double>;
-  { s.magnitude() } -> std::same_as<double>;
+  { s.distance_error_bound() } -> std::same_as<double>;
+  { s.largest_coordinate() } -> std::same_as<double>;
 };
 
 /// A space that knows its obstacles' edges: `for_each_feature(box, visit)` calls `visit(core,
@@ -96,7 +96,7 @@ concept WorkspaceSpace = FeatureSpace<S> && requires(const S& s) {
 template <class S>
 concept LinkedSpace = FreeSpace<S> && requires(const S& s, const Point& p) {
   { s.frame() } -> std::same_as<const Frame&>;
-  { s.links(p) } -> std::same_as<Links>;
+  { s.links(p) } -> std::same_as<EndpointLinks>;
 };
 
 /// Free space with a grid laid over it, every step of which (by `movement()`) is a proved segment.
@@ -131,11 +131,11 @@ concept StepSpace = LinkedSpace<S> && requires(const S& s, std::size_t index) {
 template <class S>
 concept SteppedSpace = GridSpace<S> || StepSpace<S>;
 
-/// A grid whose nodes know each other: where `sees(a, b)` holds for two free nodes, the segment
-/// between their reference points is free and may be taken.
+/// A grid whose nodes know each other: where `line_of_sight(a, b)` holds for two free nodes, the
+/// segment between their reference points is free and may be taken.
 template <class S>
-concept SightSpace = SteppedSpace<S> && requires(const S& s, Cell node) {
-  { s.sees(node, node) } -> std::same_as<bool>;
+concept LineOfSightSpace = SteppedSpace<S> && requires(const S& s, Cell node) {
+  { s.line_of_sight(node, node) } -> std::same_as<bool>;
 };
 
 /// A grid with distances.
@@ -144,10 +144,10 @@ concept ClearanceGridSpace = GridSpace<S> && ClearanceSpace<S>;
 
 /// Rows, columns and lines of sight.
 template <class S>
-concept ColumnSightSpace = ColumnSpace<S> && SightSpace<S>;
+concept ColumnLineOfSightSpace = ColumnSpace<S> && LineOfSightSpace<S>;
 
 /// Jump points and lines of sight.
 template <class S>
-concept JumpSightSpace = JumpSpace<S> && SightSpace<S>;
+concept JumpLineOfSightSpace = JumpSpace<S> && LineOfSightSpace<S>;
 
 }  // namespace tutavia

@@ -131,7 +131,7 @@ class GridBuilder {
 template <ClearanceSpace S>
 auto grid_builder(const S& space) {
   return GridBuilder([&space](const Point& p) -> double { return space.clearance(p); },
-                     space.bounds(), space.safety_radius(), space.slack());
+                     space.bounds(), space.safety_radius(), space.distance_error_bound());
 }
 
 }  // namespace tutavia

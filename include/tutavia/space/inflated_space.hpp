@@ -38,8 +38,8 @@ class InflatedSpace {
   const Workspace& workspace() const { return workspace_; }
   const Box& bounds() const { return workspace_.bounds; }
   double safety_radius() const { return workspace_.safety_radius; }
-  double magnitude() const { return magnitude_; }
-  double slack() const { return rounding_slack(magnitude_); }
+  double largest_coordinate() const { return magnitude_; }
+  double distance_error_bound() const { return distance_rounding_error(magnitude_); }
 
   bool is_free(const Point& p) const { return segment_free(p, p); }
   bool segment_free(const Point& p, const Point& q) const;
@@ -50,7 +50,7 @@ class InflatedSpace {
 
   /// Distance from a segment or an arc to the nearest obstacle edge or disc; see ClearanceSpace.
   template <class P>
-  Proximity nearest(const P& piece, double cap) const {
+  NearestObstacle nearest(const P& piece, double cap) const {
     return nearest_or_less(piece, cap, -std::numeric_limits<double>::infinity());
   }
 
@@ -92,7 +92,7 @@ class InflatedSpace {
   void for_each_along(const P& piece, double reach, Visit visit) const;
   /// `nearest`, or any distance below `enough` where there is one.
   template <class P>
-  Proximity nearest_or_less(const P& piece, double cap, double enough) const;
+  NearestObstacle nearest_or_less(const P& piece, double cap, double enough) const;
   /// Into how many parts to cut a box along its diagonal so that a query costs least: about as much
   /// as 20 features, apart from the features in it.
   int parts_along(const Segment& segment, double reach) const;
@@ -118,7 +118,7 @@ inline Expected<InflatedSpace, Failure> InflatedSpace::build(Workspace workspace
 }
 
 inline InflatedSpace::InflatedSpace(Workspace workspace)
-    : workspace_(std::move(workspace)), magnitude_(workspace_.magnitude()) {
+    : workspace_(std::move(workspace)), magnitude_(workspace_.largest_coordinate()) {
   std::vector<detail::BoxTree::Entry> areas, edges;
   for (std::uint32_t i = 0; i < workspace_.obstacles.size(); ++i) {
     first_feature_.push_back(features_.size());
@@ -168,7 +168,7 @@ inline void InflatedSpace::add_ring(const Ring& ring, std::uint32_t obstacle, bo
       features_[i].exterior_angle = 2 * std::numbers::pi;
       continue;
     }
-    const double turn = deflection(before.b - before.a, after.b - after.a);
+    const double turn = turn_angle(before.b - before.a, after.b - after.a);
     features_[i].exterior_angle =
         area == 0 ? std::abs(turn) : ((area > 0) != is_hole ? turn : -turn);
   }
@@ -178,14 +178,15 @@ inline bool InflatedSpace::segment_free(const Point& p, const Point& q) const {
   if (!bounds().contains(p) || !bounds().contains(q)) return false;
   if (safety_radius() == 0) return segment_free_at_contact(p, q);
   const Segment segment{p, q};
-  const double reach = safety_radius() + slack();
-  const double blocked = safety_radius() - slack();
+  const double reach = safety_radius() + distance_error_bound();
+  const double blocked = safety_radius() - distance_error_bound();
   const double distance = nearest_or_less(segment, reach, blocked).distance;
   if (distance < blocked) return false;
   bool free = true;
   if (distance < reach) {  // a tie: to be settled exactly
     for_each_along(segment, reach, [&](const Feature& f) {
-      return free = free && keeps_distance(segment, f.core, f.radius, safety_radius(), slack());
+      return free = free && keeps_distance(segment, f.core, f.radius, safety_radius(),
+                                           distance_error_bound());
     });
   }
   return free && !is_inside(p);
@@ -231,7 +232,7 @@ void InflatedSpace::for_each_along(const P& piece, double reach, Visit visit) co
 }
 
 template <class P>
-Proximity InflatedSpace::nearest_or_less(const P& piece, double cap, double enough) const {
+NearestObstacle InflatedSpace::nearest_or_less(const P& piece, double cap, double enough) const {
   const double first_reach = safety_radius() + (bounds().width() + bounds().height()) / 64;
   return detail::nearest_feature(piece, cap, first_reach, extent_, [&](double reach, auto visit) {
     for_each_along(piece, reach, [&](const Feature& f) {

@@ -46,13 +46,13 @@ class LatticeSpace {
   const Workspace& workspace() const { return inflated_.workspace(); }
   const Box& bounds() const { return inflated_.bounds(); }
   double safety_radius() const { return inflated_.safety_radius(); }
-  double magnitude() const { return inflated_.magnitude(); }
-  double slack() const { return inflated_.slack(); }
+  double largest_coordinate() const { return inflated_.largest_coordinate(); }
+  double distance_error_bound() const { return inflated_.distance_error_bound(); }
   bool is_free(const Point& p) const { return inflated_.is_free(p); }
   bool segment_free(const Point& p, const Point& q) const { return inflated_.segment_free(p, q); }
   double clearance(const Point& p) const { return inflated_.clearance(p); }
   template <class P>
-  Proximity nearest(const P& piece, double cap) const {
+  NearestObstacle nearest(const P& piece, double cap) const {
     return inflated_.nearest(piece, cap);
   }
   bool is_inside(const Point& p) const { return inflated_.is_inside(p); }
@@ -73,14 +73,16 @@ class LatticeSpace {
 
   /// Joins `p` to the free nodes within sqrt(2) delta that it reaches by a free segment; to the
   /// node alone where it lies within 1e-9 delta of one. None where there is no such node.
-  Links links(const Point& p) const {
+  EndpointLinks links(const Point& p) const {
     if (!bounds().contains(p)) return {};
     return layer_.links(p, 1e-9 * frame().resolution,
                         [this](const Point& a, const Point& b) { return segment_free(a, b); });
   }
 
   /// Whether the segment between two nodes is free.
-  bool sees(Cell a, Cell b) const { return segment_free(frame().point(a), frame().point(b)); }
+  bool line_of_sight(Cell a, Cell b) const {
+    return segment_free(frame().point(a), frame().point(b));
+  }
 
  private:
   LatticeSpace(InflatedSpace space, detail::GridLayer layer)

@@ -33,9 +33,9 @@ template <class Visit>
 void for_each_projection(const Boundary& boundary, const Point& p, Visit visit) {
   if (!boundary.is_circle()) return visit(boundary.line.point(boundary.line.nearest_parameter(p)));
   const Point center = boundary.line.a, v = p - center;
-  if (v.norm() > 0) return visit(advance(center, boundary.radius / v.norm(), v));
+  if (v.norm() > 0) return visit(offset_along(center, boundary.radius / v.norm(), v));
   for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)}) {
-    visit(advance(center, boundary.radius, axis));
+    visit(offset_along(center, boundary.radius, axis));
   }
 }
 
@@ -46,7 +46,7 @@ void for_each_crossing(const Boundary& first, const Boundary& second, Visit visi
     const Segment &s = first.line, &t = second.line;
     const Point d = s.b - s.a, e = t.b - t.a;
     const double determinant = cross(d, e);
-    if (determinant != 0) visit(advance(s.a, cross(Point(t.a - s.a), e) / determinant, d));
+    if (determinant != 0) visit(offset_along(s.a, cross(Point(t.a - s.a), e) / determinant, d));
     return;
   }
   if (!second.is_circle()) return for_each_crossing(second, first, visit);
@@ -59,21 +59,21 @@ void for_each_crossing(const Boundary& first, const Boundary& second, Visit visi
     const double square = direction.squaredNorm();
     if (!(square > 0)) return;
     const Point v = center - first.line.a;
-    foot = advance(first.line.a, v.dot(direction) / square, direction);
+    foot = offset_along(first.line.a, v.dot(direction) / square, direction);
   } else {
     const Point between = first.line.a - center;
     const double square = between.squaredNorm();
     if (!(square > 0)) return;
     const double along = (square + square_radius - first.radius * first.radius) / 2;
-    foot = advance(center, along / square, between);
+    foot = offset_along(center, along / square, between);
     direction = perpendicular(between);
   }
   const double height = distance(foot, center);
   const double half = square_radius - height * height;
   if (!(half >= 0)) return;
   const double reach = std::sqrt(half) / direction.norm();
-  visit(advance(foot, reach, direction));
-  visit(advance(foot, -reach, direction));
+  visit(offset_along(foot, reach, direction));
+  visit(offset_along(foot, -reach, direction));
 }
 
 /// The sides of the bounds within `reach` of a point.
@@ -94,7 +94,7 @@ inline void add_zone(const Segment& core, double offset, std::vector<Boundary>& 
   const Point aside = perpendicular(core.b - core.a);
   const double scale = offset / aside.norm();
   for (const double side : {scale, -scale}) {
-    boundaries.push_back({{advance(core.a, side, aside), advance(core.b, side, aside)}});
+    boundaries.push_back({{offset_along(core.a, side, aside), offset_along(core.b, side, aside)}});
   }
 }
 
@@ -117,7 +117,7 @@ inline std::vector<Point> free_candidates(const std::vector<Boundary>& boundarie
   const auto add_crossing = [&](const Point& q) {
     add(q);
     for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)}) {
-      add(advance(q, aside, axis));
+      add(offset_along(q, aside, axis));
     }
   };
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
@@ -150,7 +150,7 @@ std::optional<Point> nearest_free_point(const S& space, const Point& p) {
   const Point origin = bounds.clamp(p);
   if (!is_finite(p)) return std::nullopt;
   if (space.is_free(origin)) return origin;
-  const double margin = 2 * space.slack(), r = space.safety_radius();
+  const double margin = 2 * space.distance_error_bound(), r = space.safety_radius();
   const double farthest = std::hypot(bounds.width(), bounds.height());
   double reach = std::min(farthest, 2 * r + 4 * margin + farthest / 256);
   while (true) {

@@ -50,8 +50,8 @@ Expected<std::vector<SsaReference>, Failure> ssa_references(std::span<const S> s
   AStar::Scratch scratch;
   NoObserver no_observer;
   for (std::size_t i = 0; i < spaces.size(); ++i) {
-    const auto guided = AStar{.heuristic = Heuristic::euclidean}.search(spaces[i], queries[i],
-                                                                        scratch, no_observer);
+    const auto guided = AStar{.heuristic = HeuristicKind::euclidean}.search(spaces[i], queries[i],
+                                                                            scratch, no_observer);
     if (!guided) {
       return fail(PlanError::invalid_input, "query " + std::to_string(i) + " has no path: " +
                                                 std::string(to_string(guided.error().code)));

@@ -43,7 +43,7 @@ struct Workspace {
   Box extent() const;
 
   /// The largest magnitude among all coordinates [m]; rounding errors are proportional to it.
-  double magnitude() const;
+  double largest_coordinate() const;
 };
 
 namespace detail {
@@ -59,8 +59,8 @@ inline bool is_valid_point(const Point& p) {
 inline constexpr const char* coordinate_rule =
     "must be finite, and 0 or between 2^-400 and 2^400 in magnitude";
 
-/// A complaint about the first bad point of a ring, or nothing.
-inline std::string complaint(const Ring& ring, const std::string& name) {
+/// A error_message about the first bad point of a ring, or nothing.
+inline std::string error_message(const Ring& ring, const std::string& name) {
   if (ring.empty()) return name + " has no points";
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (!is_valid_point(ring[i])) {
@@ -70,7 +70,7 @@ inline std::string complaint(const Ring& ring, const std::string& name) {
   return {};
 }
 
-inline std::string complaint(const Obstacle& obstacle, const std::string& name) {
+inline std::string error_message(const Obstacle& obstacle, const std::string& name) {
   if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
     if (!is_valid_point(disc->center)) return name + ".center " + coordinate_rule;
     if (!is_valid_coordinate(disc->radius) || disc->radius < 0) {
@@ -79,9 +79,9 @@ inline std::string complaint(const Obstacle& obstacle, const std::string& name) 
     return {};
   }
   const Polygon& polygon = std::get<Polygon>(obstacle);
-  std::string result = complaint(polygon.outer, name + ".polygon");
+  std::string result = error_message(polygon.outer, name + ".polygon");
   for (std::size_t i = 0; result.empty() && i < polygon.holes.size(); ++i) {
-    result = complaint(polygon.holes[i], name + ".holes[" + std::to_string(i) + "]");
+    result = error_message(polygon.holes[i], name + ".holes[" + std::to_string(i) + "]");
   }
   return result;
 }
@@ -90,7 +90,7 @@ inline std::string complaint(const Obstacle& obstacle, const std::string& name) 
 
 /// The rounding error of one distance computed from coordinates up to `magnitude`, with room to
 /// spare [m]: 16 u M. Constructions keep twice this much more than they need.
-inline double rounding_slack(double magnitude) { return 16 * 0x1p-53 * magnitude; }
+inline double distance_rounding_error(double magnitude) { return 16 * 0x1p-53 * magnitude; }
 
 inline Box box_of(const Obstacle& obstacle) {
   if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
@@ -115,9 +115,9 @@ inline Box Workspace::extent() const {
   return extent;
 }
 
-inline double Workspace::magnitude() const {
-  return obstacles.empty() ? bounds.magnitude()
-                           : std::fmax(bounds.magnitude(), extent().magnitude());
+inline double Workspace::largest_coordinate() const {
+  return obstacles.empty() ? bounds.largest_coordinate()
+                           : std::fmax(bounds.largest_coordinate(), extent().largest_coordinate());
 }
 
 /// Checks that a workspace can be planned in: `invalid_input` with the object and its index for a
@@ -140,12 +140,12 @@ inline Expected<void, Failure> validate(const Workspace& workspace) {
                    detail::coordinate_rule);
   }
   for (std::size_t i = 0; i < workspace.obstacles.size(); ++i) {
-    std::string complaint =
-        detail::complaint(workspace.obstacles[i], "obstacles[" + std::to_string(i) + "]");
-    if (!complaint.empty()) return invalid(std::move(complaint));
+    std::string error_message =
+        detail::error_message(workspace.obstacles[i], "obstacles[" + std::to_string(i) + "]");
+    if (!error_message.empty()) return invalid(std::move(error_message));
   }
-  const double r = workspace.safety_radius, magnitude = workspace.magnitude();
-  if (r > 0 && 2 * rounding_slack(magnitude) > 1e-3 * r) {
+  const double r = workspace.safety_radius, magnitude = workspace.largest_coordinate();
+  if (r > 0 && 2 * distance_rounding_error(magnitude) > 1e-3 * r) {
     return invalid("coordinates are too large for the safety radius: " + std::to_string(magnitude) +
                    " m against " + std::to_string(r) + " m leaves no room for rounding");
   }

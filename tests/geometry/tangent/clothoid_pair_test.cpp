@@ -15,7 +15,7 @@ using std::numbers::pi;
 TEST_CASE("a unit spiral leaves a line and ends on a circle of radius 1") {
   for (const double turn : {1e-4, 0.1, 0.7, pi / 2, 3.0}) {
     INFO(turn);
-    const UnitSpiral spiral = UnitSpiral::turning(turn);
+    const UnitClothoid spiral = UnitClothoid::turning(turn);
     const Clothoid clothoid = Clothoid::from({0, 0}, 0, 0, 0.5 / turn, 2 * turn);
     CHECK(clothoid.curvature_at(1) == Approx(1));
     CHECK(clothoid.turn_to(1) == Approx(turn));
@@ -27,16 +27,16 @@ TEST_CASE("a unit spiral leaves a line and ends on a circle of radius 1") {
   }
   // To first order: it begins half its length before the circle would, and moves it aside by the
   // square of its length over 24.
-  const UnitSpiral small = UnitSpiral::turning(1e-3);
+  const UnitClothoid small = UnitClothoid::turning(1e-3);
   CHECK(small.centre.x() == Approx(1e-3).epsilon(1e-6));
   CHECK(small.centre.y() == Approx(4e-6 / 24).epsilon(1e-5));
-  CHECK(is_null(UnitSpiral::turning(0).end));
+  CHECK(is_zero(UnitClothoid::turning(0).end));
 }
 
 TEST_CASE("two clothoids of a pair meet on the corner's bisector") {
   for (const double turn : {1e-3, 0.5, pi / 2, 2.8}) {
     INFO(turn);
-    const SpiralPair pair = SpiralPair::of_clothoids(turn);
+    const ClothoidPair pair = ClothoidPair::of_clothoids(turn);
     const Clothoid in = Clothoid::from({-pair.leg, 0}, 0, 0, 1 / turn, turn);
     CHECK(in.b.norm() == Approx(pair.drop));
     CHECK(heading(in.b) == Approx(pi / 2 + turn / 2));
@@ -54,9 +54,9 @@ TEST_CASE("Bezier spirals are continuous in direction and curvature, which is mo
     CHECK(first.start().isApprox(corner - leg * in));
     CHECK(second.end().isApprox(corner + leg * out));
     CHECK(first.end() == second.start());
-    CHECK(deflection(in, first.start_direction()) == Approx(0).margin(1e-12));
-    CHECK(deflection(out, second.end_direction()) == Approx(0).margin(1e-12));
-    CHECK(deflection(first.end_direction(), second.start_direction()) == Approx(0).margin(1e-12));
+    CHECK(turn_angle(in, first.start_direction()) == Approx(0).margin(1e-12));
+    CHECK(turn_angle(out, second.end_direction()) == Approx(0).margin(1e-12));
+    CHECK(turn_angle(first.end_direction(), second.start_direction()) == Approx(0).margin(1e-12));
     const double peak = curvature(first, 1);
     CHECK(curvature(second, 0) == Approx(peak));
     CHECK(std::abs(curvature(first, 0)) < 1e-9 * std::abs(peak));
@@ -66,7 +66,7 @@ TEST_CASE("Bezier spirals are continuous in direction and curvature, which is mo
       const double before = std::abs(curvature(first, i / 100.0));
       CHECK(std::abs(curvature(first, (i + 1) / 100.0)) >= before * (1 - 1e-6));
     }
-    const SpiralPair pair = SpiralPair::of_beziers(std::abs(turn));
+    const ClothoidPair pair = ClothoidPair::of_beziers(std::abs(turn));
     CHECK(pair.leg == Approx(leg * std::abs(peak)));
     CHECK(pair.drop == Approx(distance(corner, first.end()) * std::abs(peak)));
     // The paper's formula for the peak.

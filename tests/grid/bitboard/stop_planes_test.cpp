@@ -37,7 +37,7 @@ int walk(const OccupancyGrid& grid, Cell from, std::size_t step) {
 }
 
 int jump(const StopPlanes& planes, Cell from, std::size_t step) {
-  const StopPlanes::Place place = planes.place(from);
+  const StopPlanes::PlaneIndex place = planes.plane_index(from);
   switch (step) {
     case 0:
       return planes.jump<0>(place);
@@ -128,7 +128,7 @@ TEST_CASE("planes know where a cell stands in them, and how much memory they tak
       CHECK(planes.column_stride() % 64 == 0);
       CHECK(planes.column_stride() >= static_cast<std::size_t>(height + 2));
       for (const Cell cell : {Cell{0, 0}, Cell{width - 1, height - 1}}) {
-        const StopPlanes::Place place = planes.place(cell);
+        const StopPlanes::PlaneIndex place = planes.plane_index(cell);
         CHECK(place.in_rows == grid.index(cell));
         CHECK(place.in_columns == static_cast<std::size_t>(cell.x + 1) * planes.column_stride() +
                                       static_cast<std::size_t>(cell.y + 1));

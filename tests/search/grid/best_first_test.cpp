@@ -44,8 +44,8 @@ Outcome run(const ListGraph& graph, const H& heuristic, BestFirstScratch& scratc
   Outcome outcome;
   const test::FreeArchetype space;
   const Query query{.budget = budget};
-  NoObserver nobody;
-  detail::SearchContext<test::FreeArchetype, NoObserver> context{space, query, nobody};
+  NoObserver no_observer;
+  detail::SearchContext<test::FreeArchetype, NoObserver> context{space, query, no_observer};
   const auto found = best_first(graph, heuristic, scratch, context);
   outcome.stats = context.statistics;
   if (found) {

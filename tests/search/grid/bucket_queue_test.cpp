@@ -37,9 +37,9 @@ void check_against_model(std::uint64_t seed, Cost least, std::size_t rounds) {
     push(least);
     const std::size_t turns = 1 + random.below(400);
     for (std::size_t turn = 0; turn < turns && !queue.empty(); ++turn) {
-      const Cost bound = queue.advance();
+      const Cost bound = queue.seek_first();
       const Cost first = model.begin()->first;
-      if (bound > first || queue.advance() != bound) ++wrong;
+      if (bound > first || queue.seek_first() != bound) ++wrong;
       const BucketEntry entry = queue.pop();
       const Cost key = bound + static_cast<Cost>(entry.note - static_cast<std::uint32_t>(bound));
       if (key - first >= width || bound + width <= first) ++wrong;
@@ -83,7 +83,7 @@ TEST_CASE("what was left in the buckets is gone when a queue begins", "[search]"
   BucketQueue<10> queue(buckets, 5000);
   CHECK(queue.empty());
   queue.push(5000 + 62 * 1024, 7, 11);
-  CHECK(queue.advance() == (5000 + 62 * 1024) / 1024 * 1024);
+  CHECK(queue.seek_first() == (5000 + 62 * 1024) / 1024 * 1024);
   const BucketEntry entry = queue.pop();
   CHECK(entry.node == 7);
   CHECK(entry.note == 11);
@@ -95,13 +95,13 @@ TEST_CASE("the 63 buckets from the one popped last are kept apart", "[search]") 
     Buckets buckets;
     BucketQueue<4> queue(buckets, 16 * start);
     queue.push(16 * start, 0, 0);
-    queue.advance();
+    queue.seek_first();
     queue.pop();
     for (Cost i = 62; i >= 0; --i)
       queue.push(16 * (start + i) + 3, static_cast<std::uint32_t>(i), 0);
     std::size_t wrong = 0;
     for (std::uint32_t i = 0; i < 63; ++i) {
-      if (queue.empty() || queue.advance() != 16 * (start + i) || queue.pop().node != i) ++wrong;
+      if (queue.empty() || queue.seek_first() != 16 * (start + i) || queue.pop().node != i) ++wrong;
     }
     CAPTURE(start);
     CHECK(wrong == 0);

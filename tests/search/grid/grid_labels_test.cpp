@@ -33,7 +33,7 @@ TEST_CASE("grid labels are what a map would hold, over more queries than their c
   for (std::size_t query = 0; query < test::scaled(20000); ++query) {
     if (query % 5000 == 4999) size += 20;                  // another, larger grid
     const std::size_t cells = query % 7 == 0 ? 10 : size;  // and a smaller one in between
-    const GridLabels::View view = labels.begin(cells);
+    const GridLabels::View view = labels.reset(cells);
     std::map<std::size_t, std::pair<Cost, std::size_t>> model;
     const std::uint64_t range = random.below(2) == 0 ? 20 : largest;
     for (std::size_t i = random.below(30); i > 0; --i) {
@@ -61,8 +61,8 @@ TEST_CASE("grid labels are what a map would hold, over more queries than their c
 
 TEST_CASE("the labels of the query begun last can be read later", "[search]") {
   GridLabels labels;
-  improve(labels.begin(4), 2, 30, 1);
-  improve(labels.begin(4), 3, 50, 5);
+  improve(labels.reset(4), 2, 30, 1);
+  improve(labels.reset(4), 3, 50, 5);
   const GridLabels::View view = labels.view();
   CHECK(view.reached(3));
   CHECK(view.g(3) == 50);
@@ -73,7 +73,7 @@ TEST_CASE("the labels of the query begun last can be read later", "[search]") {
 TEST_CASE("one label is kept for 8191 queries and none is seen in a later one", "[search]") {
   GridLabels labels;
   for (int query = 0; query < 8191 * 2 + 10; ++query) {
-    const GridLabels::View view = labels.begin(3);
+    const GridLabels::View view = labels.reset(3);
     if (view.reached(0) || view.reached(1) || view.reached(2)) FAIL("query " << query);
     // The best label there is, in every query: a stale one would win.
     if (!improve(view, 1, 0, no_step) || improve(view, 1, 0, 0)) FAIL("query " << query);
@@ -84,7 +84,7 @@ TEST_CASE("one label is kept for 8191 queries and none is seen in a later one", 
 TEST_CASE("the dearest path there is has a label, and any better one beats it", "[search]") {
   GridLabels labels;
   for (int query = 0; query < 3; ++query) {
-    const GridLabels::View view = labels.begin(1);
+    const GridLabels::View view = labels.reset(1);
     const auto dearest = static_cast<Cost>(largest);
     for (const Cost g : {dearest, dearest - 1, Cost{1} << 40, Cost{1}, Cost{0}}) {
       CAPTURE(query, g);

@@ -21,21 +21,21 @@ struct Way {
   std::uint32_t parent;
 };
 
-bool improve(JumpLabels& labels, std::uint32_t cell, Cost g, std::size_t arrival,
+bool improve(LabelMap& labels, std::uint32_t cell, Cost g, std::size_t arrival,
              std::uint32_t parent) {
   return labels.improve(cell, labels.words().word(g, arrival), parent);
 }
-Cost g(JumpLabels& labels, std::uint32_t cell) { return labels.words().g(labels[cell].word); }
-std::size_t arrival(JumpLabels& labels, std::uint32_t cell) {
+Cost g(LabelMap& labels, std::uint32_t cell) { return labels.words().g(labels[cell].word); }
+std::size_t arrival(LabelMap& labels, std::uint32_t cell) {
   return LabelWords::arrival(labels[cell].word);
 }
-std::uint32_t parent(JumpLabels& labels, std::uint32_t cell) { return labels[cell].parent; }
+std::uint32_t parent(LabelMap& labels, std::uint32_t cell) { return labels[cell].parent; }
 
 TEST_CASE("jump labels are what a map would hold, and those of earlier queries never count",
           "[search]") {
   const std::uint64_t seed = 1;
   Random random(seed);
-  JumpLabels labels;
+  LabelMap labels;
   for (std::size_t round = 0; round < test::scaled(300); ++round) {
     INFO("seed " << seed << ", round " << round);
     labels.begin();
@@ -67,12 +67,12 @@ TEST_CASE("jump labels are what a map would hold, and those of earlier queries n
     }
     CHECK(wrong == 0);
     CHECK(labels.size() == model.size());
-    CHECK(labels.memory() >= model.size() * sizeof(JumpLabels::Label));
+    CHECK(labels.memory() >= model.size() * sizeof(LabelMap::Label));
   }
 }
 
 TEST_CASE("jump labels grow with what is noted, and keep their memory", "[search]") {
-  JumpLabels labels;
+  LabelMap labels;
   labels.begin();
   improve(labels, 1, 1, 1, 1);
   const std::size_t small = labels.memory();
@@ -82,7 +82,7 @@ TEST_CASE("jump labels grow with what is noted, and keep their memory", "[search
   CHECK(labels.size() == 100000);
   const std::size_t large = labels.memory();
   CHECK(large > small);
-  CHECK(large <= 4 * 100000 * sizeof(JumpLabels::Label));
+  CHECK(large <= 4 * 100000 * sizeof(LabelMap::Label));
   std::size_t wrong = 0;
   for (std::uint32_t cell = 0; cell < 100000; ++cell) {
     const Cost expected = cell == 1 ? 1 : 2 * Cost{cell} + 1;
@@ -97,7 +97,7 @@ TEST_CASE("jump labels grow with what is noted, and keep their memory", "[search
 }
 
 TEST_CASE("no jump label lives on, over more queries than are counted", "[search]") {
-  JumpLabels labels;
+  LabelMap labels;
   for (std::uint32_t query = 0; query < 3 * 8192; ++query) {
     labels.begin();
     // The best labels there are, of cells that come again in some later query.
@@ -112,7 +112,7 @@ TEST_CASE("no jump label lives on, over more queries than are counted", "[search
 }
 
 TEST_CASE("of equal ways to a cell the first is kept", "[search]") {
-  JumpLabels labels;
+  LabelMap labels;
   labels.begin();
   CHECK(improve(labels, 9, 100, 2, 8));
   CHECK_FALSE(improve(labels, 9, 100, 4, 10));

@@ -15,15 +15,15 @@ namespace {
 using namespace tutavia;
 using namespace tutavia::detail;
 
-constexpr Cost width = JumpQueue::width;
+constexpr Cost width = WideBucketQueue::width;
 constexpr Cost circle = 4096 * width;  // what all buckets hold
 
 /// Takes one entry and compares it with the model; the key, or -1 where they differ.
-Cost pop(JumpQueue& queue, std::multimap<Cost, std::uint32_t>& model) {
+Cost pop(WideBucketQueue& queue, std::multimap<Cost, std::uint32_t>& model) {
   if (queue.empty() != model.empty()) return -1;
-  const Cost bound = queue.advance();
+  const Cost bound = queue.seek_first();
   const Cost first = model.begin()->first;
-  const JumpQueue::Entry entry = queue.pop();
+  const WideBucketQueue::Entry entry = queue.pop();
   // The note holds the low bits of the key.
   const Cost key = bound + static_cast<Cost>(entry.note - static_cast<std::uint32_t>(bound));
   const auto [begin, end] = model.equal_range(key);
@@ -38,7 +38,7 @@ TEST_CASE("a jump queue gives a key less than one bucket above the least, howeve
           "[search]") {
   const std::uint64_t seed = 1;
   Random random(seed);
-  JumpQueue queue;
+  WideBucketQueue queue;
   std::size_t pops = 0;
   for (std::size_t round = 0; round < test::scaled(120); ++round) {
     INFO("seed " << seed << ", round " << round);
@@ -47,7 +47,7 @@ TEST_CASE("a jump queue gives a key less than one bucket above the least, howeve
     const Cost reaches[] = {1,      width,      40 * width, circle - 1,
                             circle, circle + 1, 3 * circle, Cost{1} << 40};
     const std::size_t kinds = 1 + random.below(std::size(reaches));
-    queue.begin(least);
+    queue.reset(least);
     REQUIRE(queue.empty());
     std::multimap<Cost, std::uint32_t> model;
     std::uint32_t node = 0;
@@ -80,16 +80,17 @@ TEST_CASE("a jump queue gives a key less than one bucket above the least, howeve
 }
 
 TEST_CASE("a jump queue keeps the buckets of its whole circle apart", "[search]") {
-  JumpQueue queue;
+  WideBucketQueue queue;
   for (const Cost start : {Cost{0}, Cost{1}, Cost{63}, Cost{64}, Cost{4095}, Cost{5000}}) {
     CAPTURE(start);
-    queue.begin(start * width);
+    queue.reset(start * width);
     for (Cost i = 5000; i >= 0; i -= 1) {  // the last ones lie beyond the circle
       queue.push((start + i) * width + i % width, static_cast<std::uint32_t>(i), 0);
     }
     std::size_t wrong = 0;
     for (std::uint32_t i = 0; i <= 5000; ++i) {
-      if (queue.empty() || queue.advance() != (start + i) * width || queue.pop().node != i) ++wrong;
+      if (queue.empty() || queue.seek_first() != (start + i) * width || queue.pop().node != i)
+        ++wrong;
     }
     CHECK(wrong == 0);
     CHECK(queue.empty());
@@ -97,16 +98,16 @@ TEST_CASE("a jump queue keeps the buckets of its whole circle apart", "[search]"
 }
 
 TEST_CASE("keys below the bucket popped last are given at once", "[search]") {
-  JumpQueue queue;
-  queue.begin(0);
+  WideBucketQueue queue;
+  queue.reset(0);
   queue.push(100 * width, 1, 0);
-  CHECK(queue.advance() == 100 * width);
+  CHECK(queue.seek_first() == 100 * width);
   queue.push(7, 2, 0);  // a heuristic that rounds may fall a little
   queue.push(101 * width, 3, 0);
-  queue.advance();
+  queue.seek_first();
   CHECK(queue.pop().node == 2);
   CHECK(queue.pop().node == 1);
-  CHECK(queue.advance() == 101 * width);
+  CHECK(queue.seek_first() == 101 * width);
   CHECK(queue.pop().node == 3);
   CHECK(queue.empty());
 }

@@ -80,8 +80,8 @@ struct Ratios {
 template <class A>
 void ask(const A& search, typename A::Scratch& scratch, const CellSpace& space, const Query& query,
          const std::optional<double>& shortest, Ratios& ratios) {
-  NoObserver nobody;
-  const auto route = search.search(space, query, scratch, nobody);
+  NoObserver no_observer;
+  const auto route = search.search(space, query, scratch, no_observer);
   REQUIRE(route.has_value() == shortest.has_value());
   if (!shortest) {
     CHECK(route.error().code == PlanError::unreachable_at_resolution);
@@ -113,14 +113,14 @@ TEST_CASE("rectangles from both ends find a free path where there is one", "[soa
   SbReaStar::Scratch sb_scratch;
   ImprovedReaStar::Scratch scratch;
   Dijkstra::Scratch reference;
-  NoObserver nobody;
+  NoObserver no_observer;
   Ratios of_sb, of_improved, of_markers, of_leg, of_on;
   for (std::size_t round = 0; round < test::scaled(500); ++round) {
     INFO("seed " << seed << ", round " << round);
     const auto space =
         CellSpace::build(test::random_grid(random, round % 2 == 0 ? 12 : 60)).value();
     const Query query = test::random_query(random, space);
-    const auto by_dijkstra = Dijkstra{}.search(space, query, reference, nobody);
+    const auto by_dijkstra = Dijkstra{}.search(space, query, reference, no_observer);
     std::optional<double> shortest;
     if (by_dijkstra) shortest = by_dijkstra->cost;
     if (!by_dijkstra && by_dijkstra.error().code != PlanError::unreachable_at_resolution) continue;
@@ -131,7 +131,7 @@ TEST_CASE("rectangles from both ends find a free path where there is one", "[soa
     ask(on, scratch, space, query, shortest, of_on);
     if (!shortest) continue;
     const auto length = [&](const ImprovedReaStar& search) {
-      return search.search(space, query, scratch, nobody)->curve.length();
+      return search.search(space, query, scratch, no_observer)->curve.length();
     };
     CHECK(length(improved) <= length(markers) * (1 + 1e-12));
   }
@@ -144,7 +144,7 @@ TEST_CASE("rectangle expansion on the MovingAI maps") {
     ReaStar::Scratch rea_scratch;
     SbReaStar::Scratch sb_scratch;
     ImprovedReaStar::Scratch scratch;
-    NoObserver nobody;
+    NoObserver no_observer;
     Ratios of_rea, of_sb, of_improved;
     for (const ScenarioRow& row : map.rows) {
       INFO(map.name << " line " << row.line);
@@ -152,7 +152,7 @@ TEST_CASE("rectangle expansion on the MovingAI maps") {
       ask(ReaStar{}, rea_scratch, map.space, query, row.optimal_length, of_rea);
       ask(SbReaStar{}, sb_scratch, map.space, query, row.optimal_length, of_sb);
       ask(ImprovedReaStar{}, scratch, map.space, query, row.optimal_length, of_improved);
-      const auto route = ReaStar{}.search(map.space, query, rea_scratch, nobody);
+      const auto route = ReaStar{}.search(map.space, query, rea_scratch, no_observer);
       CHECK(route->cost == Approx(row.optimal_length).epsilon(1e-5).margin(0.02));
       CHECK(route->curve.length() <= route->cost * (1 + 1e-8));
     }

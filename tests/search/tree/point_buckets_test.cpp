@@ -15,19 +15,19 @@ namespace {
 
 using namespace tutavia;
 using namespace tutavia::detail;
-using Neighbour = PointIndex::Neighbour;
+using Neighbour = PointBuckets::Neighbour;
 
-std::vector<PointIndex::Index> numbers(std::vector<Neighbour> neighbours) {
+std::vector<PointBuckets::Index> numbers(std::vector<Neighbour> neighbours) {
   std::sort(neighbours.begin(), neighbours.end());
-  std::vector<PointIndex::Index> result;
+  std::vector<PointBuckets::Index> result;
   for (const Neighbour& neighbour : neighbours) result.push_back(neighbour.index);
   return result;
 }
 
 /// All points by distance from p, then by number.
-std::vector<Neighbour> by_distance(const PointIndex& index, const Point& p) {
+std::vector<Neighbour> by_distance(const PointBuckets& index, const Point& p) {
   std::vector<Neighbour> all;
-  for (PointIndex::Index i = 0; i < index.size(); ++i) {
+  for (PointBuckets::Index i = 0; i < index.size(); ++i) {
     const double dx = index[i].x() - p.x(), dy = index[i].y() - p.y();
     all.push_back({dx * dx + dy * dy, i});
   }
@@ -62,7 +62,7 @@ TEST_CASE("a point index answers as looking at every point does, while points ar
                                 {{1e4, -2e4}, {1e4 + 16, -2e4 + 16}},
                                 {{2, 1}, {2, 9}},
                                 {{5, 5}, {5, 5}}};
-  PointIndex index;
+  PointBuckets index;
   std::vector<Neighbour> found;
   for (std::uint64_t seed = 1; seed <= test::scaled(5); ++seed) {
     for (std::size_t world = 0; world < worlds.size(); ++world) {
@@ -71,11 +71,11 @@ TEST_CASE("a point index answers as looking at every point does, while points ar
         const Box& bounds = worlds[world];
         Points points(seed, bounds, kind), queries(seed + 1000, bounds, kind == 1 ? 0 : kind);
         Random random(seed);
-        index.begin(bounds);
+        index.reset(bounds);
         for (std::size_t count = 1; count <= 300; ++count) {
           const Point added = points();
           CHECK(index.add(added) == count - 1);
-          CHECK(index[static_cast<PointIndex::Index>(count - 1)] == added);
+          CHECK(index[static_cast<PointBuckets::Index>(count - 1)] == added);
           if (count > 20 && count % 23 != 0) continue;
           const Point p = queries();
           const auto all = by_distance(index, p);
@@ -98,13 +98,13 @@ TEST_CASE("a point index answers as looking at every point does, while points ar
 }
 
 TEST_CASE("of equally near points the first is the nearest, and the first ones are the k nearest") {
-  PointIndex index;
-  index.begin({{0, 0}, {4, 4}});
+  PointBuckets index;
+  index.reset({{0, 0}, {4, 4}});
   for (const Point& p : {Point{3, 2}, Point{2, 3}, Point{1, 2}, Point{2, 1}}) index.add(p);
   CHECK(index.nearest({2, 2}) == 0);
   std::vector<Neighbour> found;
   index.k_nearest({2, 2}, 2, found);
-  CHECK(numbers(found) == std::vector<PointIndex::Index>{0, 1});
+  CHECK(numbers(found) == std::vector<PointBuckets::Index>{0, 1});
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST_CASE("costs stay the sums of edges through any rewiring", "[soak]") {
   for (std::uint64_t seed = 1; seed <= test::scaled(20); ++seed) {
     INFO("seed " << seed);
     Random random(seed);
-    tree.begin({{0, 0}, {1, 1}}, {0.5, 0.5});
+    tree.reset({{0, 0}, {1, 1}}, {0.5, 0.5});
     for (int i = 0; i < 200; ++i) {
       const auto any = [&] { return static_cast<Node>(random.below(tree.size())); };
       tree.add(any(), {random.uniform(), random.uniform()}, random.uniform());
@@ -41,7 +41,7 @@ TEST_CASE("costs stay the sums of edges through any rewiring", "[soak]") {
 
 TEST_CASE("a tree gives the way to a node and all its edges") {
   SearchTree tree;
-  tree.begin({{0, 0}, {4, 4}}, {1, 1});
+  tree.reset({{0, 0}, {4, 4}}, {1, 1});
   const Node a = tree.add(0, {2, 1}, 1), b = tree.add(a, {2, 2}, 1), c = tree.add(0, {1, 2}, 1);
   CHECK(tree.way_to(b) == std::vector<Point>{{1, 1}, {2, 1}, {2, 2}});
   tree.rewire(b, c, 5);
@@ -54,7 +54,7 @@ TEST_CASE("a tree gives the way to a node and all its edges") {
     CHECK(from != to);
   });
   CHECK(edges == 3);
-  tree.begin({{0, 0}, {1, 1}}, {0, 0});
+  tree.reset({{0, 0}, {1, 1}}, {0, 0});
   CHECK(tree.size() == 1);
   CHECK(tree.way_to(0).size() == 1);
 }

@@ -50,7 +50,8 @@ TEST_CASE("in the open the spline has continuous curvature, and helpers hold it 
     CHECK(curve.pieces().back().holds<Segment>());
   }
   CHECK(shortest < Curve::polyline(zigzag).length());
-  const Curve free = CornerSpline(zigzag, CornerSpline::no_helper).prove(space, {}).value();
+  const Curve free =
+      CornerSpline(zigzag, CornerSpline::no_auxiliary_points).prove(space, {}).value();
   CHECK(free.length() < CornerSpline(zigzag, 2).prove(space, {}).value().length());
   CHECK(free.pieces().size() == 2);  // five control points
   CHECK(largest_jump(free) < 1e-9);
@@ -80,15 +81,15 @@ TEST_CASE("a spline that fits nowhere is the polyline") {
   const std::vector<Point> path{{0, 0}, {10, 0}, {10, 10}};
   const double side = 9.5 - 1e-9;
   const auto touching = space_with({Polygon{{{-5, 10 - side}, {side, 10 - side}, {side, 30}}}});
-  for (const double reach : {1.0, CornerSpline::no_helper}) {
+  for (const double reach : {1.0, CornerSpline::no_auxiliary_points}) {
     const Curve curve = CornerSpline(path, reach).prove(touching, {}).value();
-    CHECK(joints(curve) == path);
+    CHECK(waypoints(curve) == path);
   }
 }
 
-TEST_CASE("few, equal, collinear and returning joints do no harm") {
+TEST_CASE("few, equal, collinear and returning waypoints do no harm") {
   const auto space = space_with({});
-  for (const double reach : {1.0, CornerSpline::no_helper}) {
+  for (const double reach : {1.0, CornerSpline::no_auxiliary_points}) {
     CHECK(CornerSpline({{1, 2}}, reach).prove(space, {}).value().length() == 0);
     CHECK(CornerSpline({{1, 2}, {1, 2}}, reach).prove(space, {}).value().length() == 0);
     CHECK(CornerSpline({{0, 0}, {3, 4}}, reach).prove(space, {}).value().length() == 5);

@@ -20,11 +20,11 @@ namespace tutavia::detail {
 /// after some thousand parts: what is found is then farther than the nearest by at most the
 /// deviation of a 1024th of the piece.
 template <class P>
-class NearestPlace {
+class ClosestParameter {
  public:
-  explicit NearestPlace(const P& piece) {
+  explicit ClosestParameter(const P& piece) {
     const Box box = piece.box();
-    tolerance_ = 1e-12 * (box.width() + box.height()) + 256 * 0x1p-53 * box.magnitude();
+    tolerance_ = 1e-12 * (box.width() + box.height()) + 256 * 0x1p-53 * box.largest_coordinate();
     consider(0, piece.start().norm());
     consider(1, piece.end().norm());
     descend(piece, 0, 1, 0);

@@ -18,14 +18,14 @@ namespace tutavia::detail {
 /// that radius.
 ///
 /// Source: Meek and Walton 1992, "Clothoid spline transition spirals".
-struct UnitSpiral {
+struct UnitClothoid {
   double turn = 0;               ///< [rad]
   Point end = Point::Zero();     ///< as seen from its start, along the line and across it
   Point centre = Point::Zero();  ///< of its last circle, seen in the same way, but 1 less across
 
   /// \pre 0 <= turn < pi
-  static UnitSpiral turning(double turn) {
-    UnitSpiral spiral{.turn = turn};
+  static UnitClothoid turning(double turn) {
+    UnitClothoid spiral{.turn = turn};
     if (!(turn > 0)) return spiral;
     spiral.end = Clothoid::from({0, 0}, 0, 0, 0.5 / turn, 2 * turn).b;
     const double half_sine = std::sin(0.5 * turn);
@@ -36,17 +36,17 @@ struct UnitSpiral {
 
 /// Two spirals that are mirror images and together take the place of a corner, in units of the
 /// radius where they meet.
-struct SpiralPair {
+struct ClothoidPair {
   double leg = 0;   ///< from the corner to where they begin and end on its legs
   double drop = 0;  ///< from the corner to where they meet
 
   /// Of clothoids. \pre 0 < turn < pi: of the whole corner [rad]
-  static SpiralPair of_clothoids(double turn) {
-    const Point end = UnitSpiral::turning(turn / 2).end;
+  static ClothoidPair of_clothoids(double turn) {
+    const Point end = UnitClothoid::turning(turn / 2).end;
     return {end.x() + end.y() * std::tan(turn / 2), end.y() / std::cos(turn / 2)};
   }
   /// Of cubic Bezier pieces. \pre 0 < turn < pi: of the whole corner [rad]
-  static SpiralPair of_beziers(double turn);
+  static ClothoidPair of_beziers(double turn);
 };
 
 /// The two cubic Bezier spirals that round a corner, for users who know nothing else: from
@@ -62,14 +62,14 @@ inline std::array<CubicBezier, 2> bezier_spirals(const Point& corner, const Poin
   constexpr double c2 = 0.5797958971132712;  // 2 (sqrt(6) - 1) / 5
   constexpr double c3 = (c2 + 4) / ((c2 + 4) * (c2 + 1) + 6);
   const double g = c2 * c3 * leg, h = c3 * leg;
-  const Point a = advance(corner, -leg, in), b = advance(corner, leg, out);
-  const Point before = advance(a, g + h, in), after = advance(b, -g - h, out);
+  const Point a = offset_along(corner, -leg, in), b = offset_along(corner, leg, out);
+  const Point before = offset_along(a, g + h, in), after = offset_along(b, -g - h, out);
   const Point middle = lerp(before, after, 0.5);
-  return {CubicBezier{{a, advance(a, g, in), before, middle}},
-          CubicBezier{{middle, after, advance(b, -g, out), b}}};
+  return {CubicBezier{{a, offset_along(a, g, in), before, middle}},
+          CubicBezier{{middle, after, offset_along(b, -g, out), b}}};
 }
 
-inline SpiralPair SpiralPair::of_beziers(double turn) {
+inline ClothoidPair ClothoidPair::of_beziers(double turn) {
   const auto spirals = bezier_spirals({0, 0}, {1, 0}, {std::cos(turn), std::sin(turn)}, 1);
   const double peak = curvature(spirals[0], 1);
   return {peak, peak * spirals[0].end().norm()};

@@ -68,8 +68,8 @@ class Funnel {
 /// portals share an end. Exact: bends are decided by exact orientations. Linear in the portals.
 /// Source: Lee and Preparata 1984, "Euclidean shortest paths in the presence of rectilinear
 /// barriers".
-inline std::vector<Point> pull_through(const std::vector<std::pair<Point, Point>>& portals,
-                                       const Point& start, const Point& goal) {
+inline std::vector<Point> funnel_path(const std::vector<std::pair<Point, Point>>& portals,
+                                      const Point& start, const Point& goal) {
   Funnel funnel(start);
   for (const auto& [right, left] : portals) {
     funnel.add_right(right);

@@ -8,15 +8,15 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// Band: a rectangle along any direction.
+/// OrientedBox: a rectangle along any direction.
 
 namespace tutavia::detail {
 
 /// The rectangle around some points, along the line from the first of them to `end`.
-class Band {
+class OrientedBox {
  public:
   /// \pre not empty
-  Band(const std::vector<Point>& points, const Point& end) : origin_(points.front()) {
+  OrientedBox(const std::vector<Point>& points, const Point& end) : origin_(points.front()) {
     const Point way{end.x() - origin_.x(), end.y() - origin_.y()};
     const double length = way.norm();
     if (length > 0) along_ = {way.x() / length, way.y() / length};
@@ -50,7 +50,7 @@ class Band {
     return {v.dot(along_), cross(along_, v)};
   }
   Point at(double x, double y) const {
-    return advance(advance(origin_, x, along_), y, perpendicular(along_));
+    return offset_along(offset_along(origin_, x, along_), y, perpendicular(along_));
   }
 
   Point origin_;

@@ -16,17 +16,19 @@ namespace tutavia::detail {
 
 /// A circle and the side that it has of a path around it: 1 to the left (the path turns left around
 /// it), -1 to the right. With radius 0 it is a point, which a path runs through whatever the side.
-struct SidedCircle {
+struct OrientedCircle {
   Point center = Point::Zero();
   double radius = 0;  ///< [m]
   int side = 1;
 
   /// The place where a path in the direction of the unit vector `d` touches the circle.
-  Point touch(const Point& d) const { return advance(center, -side * radius, perpendicular(d)); }
+  Point touch(const Point& d) const {
+    return offset_along(center, -side * radius, perpendicular(d));
+  }
 };
 
 /// A straight way from one circle to another.
-struct Bitangent {
+struct TangentLine {
   Point from = Point::Zero(), to = Point::Zero();  ///< where it touches them
   Point direction = Point::Zero();                 ///< unit vector
   double length = 0;                               ///< [m]
@@ -37,12 +39,12 @@ struct Bitangent {
 ///
 /// With D from centre to centre and k the difference of the signed radii, D = length d + k n for
 /// the direction d and its left normal n.
-inline std::optional<Bitangent> bitangent(const SidedCircle& a, const SidedCircle& b) {
+inline std::optional<TangentLine> tangent_line(const OrientedCircle& a, const OrientedCircle& b) {
   const Point between{b.center.x() - a.center.x(), b.center.y() - a.center.y()};
   const double k = b.side * b.radius - a.side * a.radius;
   const double apart = between.norm();
   if (!(apart > 0) || apart < std::abs(k)) return std::nullopt;
-  Bitangent result;
+  TangentLine result;
   result.length = std::sqrt((apart - std::abs(k)) * (apart + std::abs(k)));
   const double along = result.length / apart, aside = k / apart;
   const Point u{between.x() / apart, between.y() / apart};
@@ -57,10 +59,10 @@ inline std::optional<Bitangent> bitangent(const SidedCircle& a, const SidedCircl
 /// None where these lie within `tolerance` of each other and the path does not go all the way
 /// round, and at radius 0.
 template <class Visit>
-void for_each_arc(const SidedCircle& circle, const Point& in, const Point& out, double turn,
+void for_each_arc(const OrientedCircle& circle, const Point& in, const Point& out, double turn,
                   double tolerance, Visit visit) {
   if (circle.radius == 0 || (distance(in, out) <= tolerance && std::abs(turn) < 1)) return;
-  const double least = deflection(in - circle.center, out - circle.center);
+  const double least = turn_angle(in - circle.center, out - circle.center);
   constexpr double full = 2 * std::numbers::pi;
   const double sweep = least + full * std::round((turn - least) / full);
   const int count = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 3.15)));

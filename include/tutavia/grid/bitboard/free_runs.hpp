@@ -12,7 +12,7 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// RowRuns: the free cells of a grid as rectangles one cell high.
+/// FreeRuns: the free cells of a grid as rectangles one cell high.
 
 namespace tutavia::detail {
 
@@ -28,12 +28,12 @@ struct CellBox {
 ///
 /// Two runs are neighbours where they share a side of positive length; those that only touch at a
 /// corner are not, so that no path passes between two blocked cells that touch.
-class RowRuns {
+class FreeRuns {
  public:
   /// A run by the index of any of its cells.
   using Piece = std::uint32_t;
 
-  explicit RowRuns(const OccupancyGrid& grid) : grid_(grid) {}
+  explicit FreeRuns(const OccupancyGrid& grid) : grid_(grid) {}
 
   CellBox open(Piece piece) const {
     const Cell cell = grid_.cell(piece);
@@ -53,8 +53,8 @@ class RowRuns {
   }
 
   /// Whether a point lies in a run or on its border; `place(corner)` says where corners lie.
-  template <class Place>
-  bool holds(Piece piece, const Point& p, const Place& place) const {
+  template <class Coords>
+  bool holds(Piece piece, const Point& p, const Coords& place) const {
     const CellBox box = open(piece);
     return Box{place(Cell{box.x0, box.y0}), place(Cell{box.x1, box.y1})}.contains(p);
   }

@@ -35,11 +35,11 @@ class StopPlanes {
   }
 
   /// Where a cell stands in the planes.
-  struct Place {
+  struct PlaneIndex {
     std::size_t in_rows;
     std::size_t in_columns;
   };
-  Place place(Cell cell) const {
+  PlaneIndex plane_index(Cell cell) const {
     return {
         static_cast<std::size_t>(cell.y + 1) * row_stride_ + static_cast<std::size_t>(cell.x + 1),
         static_cast<std::size_t>(cell.x + 1) * column_stride_ +
@@ -51,7 +51,7 @@ class StopPlanes {
   /// Distance from a cell to the next stop in a straight direction, at least 1.
   /// \pre the cell lies in the grid
   template <std::size_t Step>
-  int jump(const Place& from) const {
+  int jump(const PlaneIndex& from) const {
     static_assert(!is_diagonal(Step));
     const std::size_t bit = Step % 4 == 0 ? from.in_rows : from.in_columns;
     const std::uint64_t* words = planes_[Step / 2].data();
@@ -60,7 +60,7 @@ class StopPlanes {
 
   /// Whether a jump in a straight direction stops at a cell. \pre the cell lies in the grid
   bool is_stop(Cell cell, std::size_t step) const {
-    const Place at = place(cell);
+    const PlaneIndex at = plane_index(cell);
     const std::size_t bit = step % 4 == 0 ? at.in_rows : at.in_columns;
     return ((planes_[step / 2][bit / 64] >> (bit % 64)) & 1u) != 0;
   }

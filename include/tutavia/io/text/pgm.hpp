@@ -34,16 +34,16 @@ class PgmReader {
 
   PgmImage read() {
     const bool plain = bytes_.starts_with("P2");
-    if (!plain && !bytes_.starts_with("P5")) refuse("P2 or P5 (of images, only PGM is read)");
+    if (!plain && !bytes_.starts_with("P5")) reject("P2 or P5 (of images, only PGM is read)");
     at_ = 2;
     PgmImage image = header();
     if (!plain) {
-      if (at_ == bytes_.size() || !is_blank(bytes_[at_])) refuse("a blank, then pixels");
+      if (at_ == bytes_.size() || !is_blank(bytes_[at_])) reject("a blank, then pixels");
       ++at_;
     }
     read_pixels(image, plain);
     if (plain) skip_blanks();
-    if (at_ < bytes_.size()) refuse("nothing after the last pixel");
+    if (at_ < bytes_.size()) reject("nothing after the last pixel");
     return image;
   }
 
@@ -92,7 +92,7 @@ class PgmReader {
     const char *const begin = bytes_.data() + at_, *const end = bytes_.data() + bytes_.size();
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (at_ == before || error == std::errc::invalid_argument || value < low || value > high) {
-      refuse(what);
+      reject(what);
     }
     at_ += static_cast<std::size_t>(stop - begin);
     return value;
@@ -100,22 +100,22 @@ class PgmReader {
   std::int64_t raw_pixel(std::int64_t high, const std::string& what) {
     std::int64_t value = 0;
     for (std::int64_t span = high; span > 0; span /= 256) {
-      if (at_ == bytes_.size()) refuse(what);
+      if (at_ == bytes_.size()) reject(what);
       value = 256 * value + static_cast<unsigned char>(bytes_[at_++]);
     }
     if (value > high) {
       at_ -= high > 255 ? 2 : 1;
-      refuse(what, std::to_string(value));
+      reject(what, std::to_string(value));
     }
     return value;
   }
 
-  [[noreturn]] void refuse(const std::string& expected) const {
+  [[noreturn]] void reject(const std::string& expected) const {
     std::string found(bytes_.substr(at_, 20));
     for (char& c : found) c = c < ' ' || c > '~' ? '?' : c;
-    refuse(expected, at_ < bytes_.size() ? '"' + found + '"' : "the end of the file");
+    reject(expected, at_ < bytes_.size() ? '"' + found + '"' : "the end of the file");
   }
-  [[noreturn]] void refuse(const std::string& expected, const std::string& found) const {
+  [[noreturn]] void reject(const std::string& expected, const std::string& found) const {
     throw ParseError{"PGM byte " + std::to_string(at_) + ": expected " + expected + ", found " +
                      found};
   }

@@ -70,8 +70,9 @@ struct SvgPaths {
     std::string d;
     for (int i = 0; i < parts; ++i) {
       const double from = double(i) / parts, to = (i + 1.0) / parts, handle = (to - from) / 3;
-      d.append("C").append(at(advance(clothoid.point(from), handle, clothoid.derivative(from))));
-      d.append(" ").append(at(advance(clothoid.point(to), -handle, clothoid.derivative(to))));
+      d.append("C").append(
+          at(offset_along(clothoid.point(from), handle, clothoid.derivative(from))));
+      d.append(" ").append(at(offset_along(clothoid.point(to), -handle, clothoid.derivative(to))));
       d.append(" ").append(at(clothoid.point(to)));
     }
     return d;

@@ -41,11 +41,11 @@ class YamlSubset {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() ||
         !(low <= value && value <= high)) {
-      refuse(key + ": " + what, text);
+      reject(key + ": " + what, text);
     }
     return value;
   }
-  /// A warning for each key whose values nobody asked for.
+  /// A warning for each key whose values no_observer asked for.
   std::vector<std::string> warnings() const {
     std::vector<std::string> result;
     for (const Entry& entry : entries_) {
@@ -56,7 +56,7 @@ class YamlSubset {
   }
 
   /// Complains of the line whose values were asked for last.
-  [[noreturn]] void refuse(const std::string& expected, const std::string& found) const {
+  [[noreturn]] void reject(const std::string& expected, const std::string& found) const {
     throw ParseError{"line " + std::to_string(line_) + ": expected " + expected + ", found " +
                      found};
   }
@@ -73,7 +73,7 @@ class YamlSubset {
 
   void read_line() {
     if (content_.ends_with('\r')) content_.remove_suffix(1);
-    if (content_.find_first_of(std::string_view("\r\0", 2)) != npos) refuse("text, LF or CRLF");
+    if (content_.find_first_of(std::string_view("\r\0", 2)) != npos) reject("text, LF or CRLF");
     for (std::size_t i = 0; i < content_.size(); ++i) {
       if (content_[i] == '#' && (i == 0 || is_blank(i - 1))) content_ = content_.substr(0, i);
     }
@@ -90,9 +90,9 @@ class YamlSubset {
 
   /// "- value", an item of the list that a line above began.
   void read_item(std::size_t indent) {
-    if (entries_.empty() || !entries_.back().is_open) refuse("key: value");
+    if (entries_.empty() || !entries_.back().is_open) reject("key: value");
     if (entries_.back().values.empty()) indent_ = indent;
-    if (indent != indent_) refuse("list items one below the other");
+    if (indent != indent_) reject("list items one below the other");
     add(entries_.back(), content_.substr(1));
   }
 
@@ -103,14 +103,14 @@ class YamlSubset {
     const auto is_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (indent != 0 || colon == npos || !is_blank(colon + 1) || entry.key.empty() ||
         !std::all_of(entry.key.begin(), entry.key.end(), is_name)) {
-      refuse("key: value, not indented");
+      reject("key: value, not indented");
     }
-    if (has(entry.key)) refuse("every key once");
+    if (has(entry.key)) reject("every key once");
     std::string_view value = trimmed(content_.substr(colon + 1));
     entry.is_open = value.empty();
     if (value.starts_with('[') && value.ends_with(']')) {
       value = value.substr(1, value.size() - 2);
-      if (value.find_first_of("[]{}") != npos) refuse("a list of scalars");
+      if (value.find_first_of("[]{}") != npos) reject("a list of scalars");
       for (std::size_t comma = value.find(','); comma != npos; comma = value.find(',')) {
         add(entry, value.substr(0, comma));
         value.remove_prefix(comma + 1);
@@ -123,15 +123,15 @@ class YamlSubset {
   void add(Entry& entry, std::string_view scalar) const {
     scalar = trimmed(scalar);
     const auto has = [&](std::string_view part) { return scalar.find(part) != npos; };
-    if (scalar.empty()) refuse("a value");
+    if (scalar.empty()) reject("a value");
     const char first = scalar.front();
     if (first == '"' || first == '\'') {
-      if (scalar.size() < 2 || scalar.back() != first) refuse("quotes around all of a value");
+      if (scalar.size() < 2 || scalar.back() != first) reject("quotes around all of a value");
       scalar = scalar.substr(1, scalar.size() - 2);
-      if (scalar.find_first_of("\"'\\") != npos) refuse("no quotes or escapes in quotes");
+      if (scalar.find_first_of("\"'\\") != npos) reject("no quotes or escapes in quotes");
     } else if (std::string_view("[]{}&*!|>%@`,?:").find(first) != npos ||
                scalar.starts_with("- ") || has(": ") || has(":\t") || scalar.back() == ':') {
-      refuse("a plain value or a list in one line");
+      reject("a plain value or a list in one line");
     }
     entry.values.emplace_back(scalar);
   }
@@ -156,15 +156,15 @@ class YamlSubset {
     line_ = entry->line;
     const std::size_t found = entry->values.size();
     if (found != count) {
-      refuse(key + " with " + std::to_string(count) + (count == 1 ? " value" : " values"),
+      reject(key + " with " + std::to_string(count) + (count == 1 ? " value" : " values"),
              std::to_string(found));
     }
     return entry->values;
   }
 
   /// Complains of the line that is being read.
-  [[noreturn]] void refuse(const std::string& expected) const {
-    refuse(expected, '"' + std::string(content_.substr(0, 60)) + '"');
+  [[noreturn]] void reject(const std::string& expected) const {
+    reject(expected, '"' + std::string(content_.substr(0, 60)) + '"');
   }
 
   std::string_view content_;  // of the line that is being read

@@ -9,67 +9,67 @@
 #include <vector>
 
 /// \file
-/// DrivePhases: a drive along a line in phases of constant acceleration.
+/// TrapezoidalProfile: a drive along a line in phases of constant acceleration.
 
 namespace tutavia::detail {
 
-/// A stretch of a line with a limit on the square of the speed.
-struct SpeedStretch {
+/// A interval of a line with a limit on the square of the speed.
+struct SpeedInterval {
   double length = 0;  ///< [m]
   double limit = 0;   ///< [m^2/s^2]
 };
 
 /// Where a drive is at one time, or its averages over a while.
-struct DriveState {
+struct ProfileState {
   double s = 0;             ///< [m]
   double speed = 0;         ///< [m/s]
   double acceleration = 0;  ///< [m/s^2]
 };
 
-/// The limits on the square of the speed where stretches meet and at both ends: the smaller one of
+/// The limits on the square of the speed where intervals meet and at both ends: the smaller one of
 /// those beside each.
-inline std::vector<double> joint_limits(std::span<const SpeedStretch> stretches) {
-  std::vector<double> limits(stretches.size() + 1, std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < stretches.size(); ++i) {
-    limits[i] = std::min(limits[i], stretches[i].limit);
-    limits[i + 1] = stretches[i].limit;
+inline std::vector<double> boundary_speed_limits(std::span<const SpeedInterval> intervals) {
+  std::vector<double> limits(intervals.size() + 1, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    limits[i] = std::min(limits[i], intervals[i].limit);
+    limits[i + 1] = intervals[i].limit;
   }
   return limits;
 }
 
-/// The squares of the largest speeds at the joints of stretches from which one can brake in time,
-/// under `limits` of their own (one more than there are stretches). O(n).
-inline std::vector<double> squares_to_brake_from(std::span<const SpeedStretch> stretches,
-                                                 std::vector<double> limits, double braking) {
-  for (std::size_t i = stretches.size(); i-- > 0;) {
-    limits[i] = std::min(limits[i], limits[i + 1] + 2 * braking * stretches[i].length);
+/// The squares of the largest speeds at the joints of intervals from which one can brake in time,
+/// under `limits` of their own (one more than there are intervals). O(n).
+inline std::vector<double> backward_pass(std::span<const SpeedInterval> intervals,
+                                         std::vector<double> limits, double braking) {
+  for (std::size_t i = intervals.size(); i-- > 0;) {
+    limits[i] = std::min(limits[i], limits[i + 1] + 2 * braking * intervals[i].length);
   }
   return limits;
 }
 
 /// A drive in phases of constant acceleration, built from its start on.
-class DrivePhases {
+class TrapezoidalProfile {
  public:
   /// Nothing yet: it will start at this time and place.
-  explicit DrivePhases(double time = 0, double s = 0) : time_(time), s_(s) {}
+  explicit TrapezoidalProfile(double time = 0, double s = 0) : time_(time), s_(s) {}
 
-  /// The fastest drive over stretches: within each it accelerates, keeps the limit and brakes.
-  /// `squares` are those of `squares_to_brake_from`, the first of them that of the speed at the
+  /// The fastest drive over intervals: within each it accelerates, keeps the limit and brakes.
+  /// `squares` are those of `backward_pass`, the first of them that of the speed at the
   /// start. O(n). Gives the square of the speed at the end.
-  double drive(std::span<const SpeedStretch> stretches, std::span<const double> squares,
+  double drive(std::span<const SpeedInterval> intervals, std::span<const double> squares,
                double acceleration, double braking);
   /// Keeps a speed, which may be 0, for a while.
   void keep(double speed, double duration) {
     if (!(duration > 0)) return;
     phases_.push_back({time_, s_, speed, 0, duration});
-    advance();
+    extend();
   }
 
   double end_time() const { return time_; }
   /// The state at a time; before the start and after the end, the states there.
-  DriveState at(double time) const;
+  ProfileState at(double time) const;
   /// Averages over the time from `from` to `to`. \pre from < to, both within the drive
-  DriveState mean(double from, double to) const;
+  ProfileState mean(double from, double to) const;
 
  private:
   struct Phase {
@@ -80,7 +80,7 @@ class DrivePhases {
   };
 
   void append(double length, double from, double to, double acceleration);
-  void advance() {
+  void extend() {
     time_ += phases_.back().duration;
     s_ = phases_.back().s_after(phases_.back().duration);
   }
@@ -95,17 +95,17 @@ class DrivePhases {
 };
 
 /// From one square of the speed it goes up to the largest that leaves room to brake to the next.
-inline double DrivePhases::drive(std::span<const SpeedStretch> stretches,
-                                 std::span<const double> squares, double acceleration,
-                                 double braking) {
+inline double TrapezoidalProfile::drive(std::span<const SpeedInterval> intervals,
+                                        std::span<const double> squares, double acceleration,
+                                        double braking) {
   const double a = acceleration, b = braking;
   double from = squares[0];
-  for (std::size_t i = 0; i < stretches.size(); ++i) {
-    const double length = stretches[i].length;
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const double length = intervals[i].length;
     const double to = std::min(squares[i + 1], from + 2 * a * length);
     if (length > 0) {
       const double reachable = (b * from + a * to + 2 * a * b * length) / (a + b);
-      const double peak = std::max({std::min(reachable, stretches[i].limit), from, to});
+      const double peak = std::max({std::min(reachable, intervals[i].limit), from, to});
       const double up = (peak - from) / (2 * a), down = (peak - to) / (2 * b);
       append(up, from, peak, a);
       append(length - up - down, peak, peak, 0);
@@ -116,15 +116,15 @@ inline double DrivePhases::drive(std::span<const SpeedStretch> stretches,
   return from;
 }
 
-inline void DrivePhases::append(double length, double from, double to, double acceleration) {
+inline void TrapezoidalProfile::append(double length, double from, double to, double acceleration) {
   if (!(length > 0)) return;
   const double speed = std::sqrt(from), mean = 0.5 * (speed + std::sqrt(to));
   if (!(mean > 0)) return;
   phases_.push_back({time_, s_, speed, acceleration, length / mean});
-  advance();
+  extend();
 }
 
-inline DriveState DrivePhases::at(double time) const {
+inline ProfileState TrapezoidalProfile::at(double time) const {
   if (phases_.empty()) return {s_, 0, 0};
   const Phase& phase = *phase_at(time);
   const double t = std::clamp(time - phase.time, 0.0, phase.duration);
@@ -133,8 +133,8 @@ inline DriveState DrivePhases::at(double time) const {
 
 /// A sum over phases, with weights that add up to 1: so averages lie among what they are taken of
 /// although times are rounded.
-inline DriveState DrivePhases::mean(double from, double to) const {
-  DriveState sum;
+inline ProfileState TrapezoidalProfile::mean(double from, double to) const {
+  ProfileState sum;
   double weight = 0;
   for (auto phase = phase_at(from); phase != phases_.end() && phase->time < to; ++phase) {
     const double in = std::max(from - phase->time, 0.0);

@@ -62,8 +62,8 @@ class BestFirstScratch {
   /// For the points of the path while it is read from the labels.
   std::vector<Point>& points() { return points_; }
 
-  void begin(std::size_t size) {
-    labels_.begin(size);
+  void reset(std::size_t size) {
+    labels_.reset(size);
     open_.clear();
     sequence_ = 0;
   }
@@ -87,8 +87,8 @@ class BestFirstScratch {
   }
 
  private:
-  QueryLabels<Label> labels_;
-  OpenList<Entry> open_;
+  StampedLabels<Label> labels_;
+  OpenHeap<Entry> open_;
   std::vector<Point> points_;
   std::uint64_t sequence_ = 0;
 };
@@ -102,7 +102,7 @@ class BestFirstScratch {
 template <SearchGraph Graph, std::invocable<NodeId> Heuristic, FreeSpace S, Observer O>
 Expected<void, Failure> best_first(const Graph& graph, const Heuristic& heuristic,
                                    BestFirstScratch& scratch, SearchContext<S, O>& context) {
-  scratch.begin(graph.size());
+  scratch.reset(graph.size());
   const auto reach = [&](NodeId node, NodeId parent, Cost g) {
     const auto* label = scratch.find(node);
     if (label != nullptr && label->g <= g) return;

@@ -22,7 +22,7 @@ namespace tutavia::detail {
 
 /// Memory of a bidirectional search.
 struct BidirectionalScratch {
-  GridWaveScratch forward, backward;
+  GridExpansionScratch forward, backward;
   std::vector<Cell> cells, half;
 };
 
@@ -30,8 +30,7 @@ struct BidirectionalScratch {
 template <GridSpace S, Observer O>
 class MeetingWaves {
  public:
-  MeetingWaves(SearchContext<S, O>& context, const LinkedQuery& linked,
-               BidirectionalScratch& scratch)
+  MeetingWaves(SearchContext<S, O>& context, const GridQuery& linked, BidirectionalScratch& scratch)
       : context_(context),
         forward_(context, linked, scratch.forward),
         backward_(context, linked.reversed(), scratch.backward) {}
@@ -60,11 +59,11 @@ class MeetingWaves {
   }
 
  private:
-  using Wave = GridWave<WaveSuccessors::all, OctileHeuristic, S, O>;
+  using Wave = GridExpansion<SuccessorRule::all, OctileHeuristic, S, O>;
 
   /// A wave with counts of its own.
   struct Side {
-    Side(const SearchContext<S, O>& whole, const LinkedQuery& linked, GridWaveScratch& scratch)
+    Side(const SearchContext<S, O>& whole, const GridQuery& linked, GridExpansionScratch& scratch)
         : context{whole.space, whole.query, whole.observer},
           wave(context, OctileHeuristic(linked), linked.starts, scratch) {}
 
@@ -83,12 +82,13 @@ class MeetingWaves {
           forward_.context.statistics.expanded + backward_.context.statistics.expanded;
       if (auto within = check_budget(context_.query.budget, expanded, 256); !within) return within;
       const bool go_forward = forward_.open_cells() <= backward_.open_cells();
-      if (!(go_forward ? advance(forward_, backward_) : advance(backward_, forward_))) return {};
+      if (!(go_forward ? offset_along(forward_, backward_) : offset_along(backward_, forward_)))
+        return {};
     }
   }
 
   /// Expands one cell of a wave; false when the wave has come to its end.
-  bool advance(Side& mine, const Side& other) {
+  bool offset_along(Side& mine, const Side& other) {
     typename Wave::Popped popped;
     if (!mine.wave.pop(best_, popped)) return false;
     if (other.wave.labels().reached(popped.index)) {
@@ -113,7 +113,7 @@ struct BidirectionalSearch {
   BidirectionalScratch& scratch;
 
   template <GridSpace S, Observer O>
-  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+  Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
     MeetingWaves<S, O> waves(context, linked, scratch);
     if (auto found = waves.run(); !found) return std::move(found).unexpected();
     waves.trace(scratch.cells, scratch.half);

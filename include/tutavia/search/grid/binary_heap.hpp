@@ -7,13 +7,13 @@
 #include "tutavia/search/grid/open_heap.hpp"
 
 /// \file
-/// JumpHeap: an open list for keys that may fall.
+/// BinaryHeap: an open list for keys that may fall.
 
 namespace tutavia::detail {
 
-/// A binary heap with the interface of JumpQueue, for heuristics that are not consistent. Among
-/// equal keys the entry pushed last comes first.
-class JumpHeap {
+/// A binary heap with the interface of WideBucketQueue, for heuristics that are not consistent.
+/// Among equal keys the entry pushed last comes first.
+class BinaryHeap {
  public:
   struct Entry {
     Cost key;
@@ -29,7 +29,7 @@ class JumpHeap {
   static constexpr Cost width = 1;  ///< keys are told apart exactly
 
   /// Empties the heap.
-  void begin(Cost) {
+  void reset(Cost) {
     entries_.clear();
     sequence_ = 0;
   }
@@ -41,13 +41,13 @@ class JumpHeap {
   }
 
   /// The least key. \pre not empty
-  Cost advance() const { return entries_.top().key; }
+  Cost seek_first() const { return entries_.top().key; }
 
   /// Takes an entry with the least key. \pre not empty
   Entry pop() { return entries_.pop(); }
 
  private:
-  OpenList<Entry> entries_;
+  OpenHeap<Entry> entries_;
   std::uint32_t sequence_ = 0;
 };
 

@@ -29,7 +29,7 @@ using Buckets = std::array<std::vector<BucketEntry>, 64>;
 ///
 /// Keys within one bucket come last in, first out, so a search has to re-open nodes, unless no
 /// step is cheaper than a bucket is wide. Every key pushed has to lie in the 63 buckets from the
-/// one that `advance` has moved to.
+/// one that `seek_first` has moved to.
 template <int Shift>
 class BucketQueue {
  public:
@@ -51,13 +51,13 @@ class BucketQueue {
 
   /// Moves on to the first bucket with entries; no key in the queue is less than the result.
   /// \pre not empty
-  Cost advance() {
+  Cost seek_first() {
     const auto turn = static_cast<int>(current_ % 64);
     current_ += static_cast<unsigned>(std::countr_zero(std::rotr(occupied_, turn)));
     return static_cast<Cost>(current_ << Shift);
   }
 
-  /// Takes an entry from the bucket that `advance` has moved to.
+  /// Takes an entry from the bucket that `seek_first` has moved to.
   BucketEntry pop() {
     std::vector<BucketEntry>& bucket = buckets_[current_ % 64];
     const BucketEntry entry = bucket.back();

@@ -16,8 +16,8 @@
 namespace tutavia::detail {
 
 /// Memory of the searches that are one wave.
-struct WaveScratch {
-  GridWaveScratch wave;
+struct ExpansionScratch {
+  GridExpansionScratch wave;
   std::vector<Cell> cells;
 };
 
@@ -39,14 +39,14 @@ inline void trace(const OccupancyGrid& grid, const GridLabels::View& labels, Cel
 
 /// A search that is one wave, from the start's links to the goal's. It stops when no cell can lead
 /// to a cheaper path than the best one found.
-template <WaveSuccessors Successors, WaveHeuristic Heuristic>
-struct WaveSearch {
-  WaveScratch& scratch;
+template <SuccessorRule Successors, BucketHeuristic Heuristic>
+struct ExpansionSearch {
+  ExpansionScratch& scratch;
 
   template <GridSpace S, Observer O>
-  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
-    GridWave<Successors, Heuristic, S, O> wave(context, Heuristic(linked), linked.starts,
-                                               scratch.wave);
+  Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
+    GridExpansion<Successors, Heuristic, S, O> wave(context, Heuristic(linked), linked.starts,
+                                                    scratch.wave);
     Cost best = std::numeric_limits<Cost>::max();
     Cell end;
     typename decltype(wave)::Popped popped;

@@ -17,7 +17,7 @@ namespace tutavia::detail {
 /// that any of its links adds to that, if that is negative.
 class GoalEstimate {
  public:
-  GoalEstimate(Heuristic heuristic, const LinkedQuery& linked)
+  GoalEstimate(HeuristicKind heuristic, const GridQuery& linked)
       : heuristic_(heuristic), goal_(linked.goal_cell) {
     for (const auto& [cell, cost] : linked.goals) {
       offset_ = std::min(offset_, cost - distance(cell));
@@ -30,20 +30,20 @@ class GoalEstimate {
   Cost distance(Cell from) const {
     const Cost dx = std::abs(from.x - goal_.x), dy = std::abs(from.y - goal_.y);
     switch (heuristic_) {
-      case Heuristic::euclidean:
+      case HeuristicKind::euclidean:
         return static_cast<Cost>(std::floor(static_cast<double>(straight_cost) *
                                             std::sqrt(static_cast<double>(dx * dx + dy * dy))));
-      case Heuristic::chebyshev:
+      case HeuristicKind::chebyshev:
         return straight_cost * std::max(dx, dy);
-      case Heuristic::manhattan:
+      case HeuristicKind::manhattan:
         return straight_cost * (dx + dy);
-      case Heuristic::octile:
+      case HeuristicKind::octile:
         break;
     }
     return octile_cost(from, goal_);
   }
 
-  Heuristic heuristic_;
+  HeuristicKind heuristic_;
   Cell goal_;
   Cost offset_ = 0;
 };
@@ -51,18 +51,18 @@ class GoalEstimate {
 /// The heuristic of Dijkstra's algorithm.
 struct ZeroHeuristic {
   ZeroHeuristic() = default;
-  explicit ZeroHeuristic(const LinkedQuery&) {}
+  explicit ZeroHeuristic(const GridQuery&) {}
 
   /// Buckets narrower than a straight step: no cell is expanded twice.
   static constexpr int bucket_shift = 13;
   Cost operator()(Cell) const { return 0; }
 };
 
-/// Octile distance to a cell, plus `offset` (see LinkedQuery); consistent.
+/// Octile distance to a cell, plus `offset` (see GridQuery); consistent.
 struct OctileHeuristic {
   OctileHeuristic() = default;
   OctileHeuristic(Cell to, Cost add) : goal(to), offset(add) {}
-  explicit OctileHeuristic(const LinkedQuery& linked)
+  explicit OctileHeuristic(const GridQuery& linked)
       : OctileHeuristic(linked.goal_cell, linked.goal_offset) {}
 
   /// A step raises f by no more than two diagonals, and so stays within 63 buckets.

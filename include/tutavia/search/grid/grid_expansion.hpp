@@ -21,12 +21,12 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// GridWave: best-first search over the cells of a grid, as fast as it gets.
+/// GridExpansion: best-first search over the cells of a grid, as fast as it gets.
 
 namespace tutavia::detail {
 
 /// Memory of one wave; kept from query to query.
-struct GridWaveScratch {
+struct GridExpansionScratch {
   GridLabels labels;
   Buckets buckets;
 };
@@ -34,13 +34,13 @@ struct GridWaveScratch {
 /// A heuristic by which a wave can be ordered in buckets: a function of cells, and the logarithm of
 /// how wide the buckets are (see BucketQueue).
 template <class H>
-concept WaveHeuristic = requires(const H& heuristic, Cell cell) {
+concept BucketHeuristic = requires(const H& heuristic, Cell cell) {
   { heuristic(cell) } -> std::same_as<Cost>;
   { H::bucket_shift } -> std::convertible_to<int>;
 };
 
 /// Which steps a wave follows from a cell.
-enum class WaveSuccessors {
+enum class SuccessorRule {
   all,
   canonical,  ///< those of the canonical table, which reach every cell by a path as cheap
 };
@@ -49,8 +49,8 @@ enum class WaveSuccessors {
 /// is Dijkstra's algorithm; bidirectional search is two.
 ///
 /// It counts in its context what it expands and generates.
-template <WaveSuccessors Successors, WaveHeuristic Heuristic, GridSpace S, Observer O>
-class GridWave {
+template <SuccessorRule Successors, BucketHeuristic Heuristic, GridSpace S, Observer O>
+class GridExpansion {
  public:
   /// A cell taken from the open list; its label is up to date.
   struct Popped {
@@ -61,13 +61,13 @@ class GridWave {
   };
 
   /// Begins at cells that are reached from outside the grid, each at a cost.
-  GridWave(SearchContext<S, O>& context, const Heuristic& heuristic,
-           std::span<const CellLink> seeds, GridWaveScratch& scratch)
+  GridExpansion(SearchContext<S, O>& context, const Heuristic& heuristic,
+                std::span<const CellLink> seeds, GridExpansionScratch& scratch)
       : context_(context),
         grid_(context.space.grid().view()),
         tables_(tables(context.space.movement())),
         heuristic_(heuristic),
-        labels_(scratch.labels.begin(context.space.grid().index_count())),
+        labels_(scratch.labels.reset(context.space.grid().index_count())),
         open_(scratch.buckets, least_f(heuristic, seeds)) {
     const OccupancyGrid& grid = context.space.grid();
     for (std::size_t step = 0; step < steps.size(); ++step) {
@@ -81,7 +81,7 @@ class GridWave {
   /// Takes the next cell with f < limit; nothing when there is none.
   bool pop(Cost limit, Popped& out) {
     while (!open_.empty()) {
-      const Cost bucket = open_.advance();
+      const Cost bucket = open_.seek_first();
       if (bucket >= limit) return false;
       const BucketEntry entry = open_.pop();
       const std::uint64_t label = labels_[entry.node];
@@ -113,7 +113,7 @@ class GridWave {
   const GridLabels::View& labels() const { return labels_; }
 
  private:
-  static constexpr bool is_canonical = Successors == WaveSuccessors::canonical;
+  static constexpr bool is_canonical = Successors == SuccessorRule::canonical;
 
   /// By the step of arrival; one for all where the wave is not canonical.
   static const SuccessorTable* tables(MovementRule rule) {

@@ -16,26 +16,26 @@
 
 namespace tutavia::detail {
 
-/// What the steps on a grid cost: `price(cell, step)` is the price of a step from a cell, in
+/// What the steps on a grid cost: `step_cost(cell, step)` is the price of a step from a cell, in
 /// 1 / `scale` of the usual unit of cost.
 template <class P>
-concept StepPrices = requires(const P& prices, Cell cell, std::size_t step) {
+concept StepCosts = requires(const P& prices, Cell cell, std::size_t step) {
   { P::scale } -> std::convertible_to<Cost>;
-  { prices.price(cell, step) } -> std::same_as<Cost>;
+  { prices.step_cost(cell, step) } -> std::same_as<Cost>;
 };
 
 /// Steps at their plain cost.
-struct PlainPrices {
+struct PlainStepCosts {
   static constexpr Cost scale = 1;
-  Cost price(Cell, std::size_t step) const { return step_cost(step); }
+  Cost step_cost(Cell, std::size_t step) const { return tutavia::step_cost(step); }
 };
 
 /// The graph of a grid's free cells (node = cell index) and two more nodes for start and goal.
 /// The links cost what they are long.
-template <GridSpace S, StepPrices Prices = PlainPrices>
+template <GridSpace S, StepCosts Prices = PlainStepCosts>
 class GridGraph {
  public:
-  GridGraph(const S& space, const Query& query, const LinkedQuery& linked, const Prices& prices)
+  GridGraph(const S& space, const Query& query, const GridQuery& linked, const Prices& prices)
       : space_(space),
         grid_(space.grid().view()),
         cells_(space.grid().index_count()),
@@ -63,7 +63,7 @@ class GridGraph {
     const Cell cell = grid_.cell(node);
     for (unsigned left = table_[grid_.neighbourhood(node)]; left != 0; left &= left - 1) {
       const auto step = static_cast<std::size_t>(std::countr_zero(left));
-      visit(id(cell + steps[step]), prices_.price(cell, step));
+      visit(id(cell + steps[step]), prices_.step_cost(cell, step));
     }
     if (const auto cost = linked_.exit_cost(cell)) visit(target(), Prices::scale * *cost);
   }
@@ -82,7 +82,7 @@ class GridGraph {
   std::size_t cells_;
   const SuccessorTable& table_;
   const Query& query_;
-  const LinkedQuery& linked_;
+  const GridQuery& linked_;
   const Prices& prices_;
 };
 
@@ -102,8 +102,8 @@ concept CellGraph = SearchGraph<G> && requires(const G& graph, NodeId node, Cost
 
 /// Best-first search on a graph of cells. `estimate(cell)` estimates the cost from a cell to the
 /// goal.
-template <CellGraph Graph, std::invocable<Cell> Estimate, GridSpace S, Observer O>
-Expected<GridPath, Failure> search_cells(const Graph& graph, const Estimate& estimate,
+template <CellGraph Graph, std::invocable<Cell> ValueWithError, GridSpace S, Observer O>
+Expected<GridPath, Failure> search_cells(const Graph& graph, const ValueWithError& estimate,
                                          GridGraphScratch& scratch, SearchContext<S, O>& context) {
   const auto heuristic = [&](NodeId node) -> Cost {
     return node >= graph.source() ? 0 : estimate(graph.cell(node));
@@ -120,14 +120,14 @@ Expected<GridPath, Failure> search_cells(const Graph& graph, const Estimate& est
 }
 
 /// Best-first search on a GridGraph; see `graph_search`.
-template <StepPrices Prices, std::invocable<const LinkedQuery&> MakeEstimate>
+template <StepCosts Prices, std::invocable<const GridQuery&> MakeEstimate>
 struct GraphSearch {
   const Prices& prices;
   const MakeEstimate& make_estimate;
   GridGraphScratch& scratch;
 
   template <GridSpace S, Observer O>
-  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+  Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
     const GridGraph<S, Prices> graph(context.space, context.query, linked, prices);
     return search_cells(graph, make_estimate(linked), scratch, context);
   }
@@ -136,8 +136,7 @@ struct GraphSearch {
 /// Best-first search on a GridGraph. `make_estimate(linked)` is a function that estimates the price
 /// from a cell to the goal. The route's cost is the price paid, in metres. The straight segment is
 /// tried first where steps have their plain cost.
-template <GridSpace S, StepPrices Prices, std::invocable<const LinkedQuery&> MakeEstimate,
-          Observer O>
+template <GridSpace S, StepCosts Prices, std::invocable<const GridQuery&> MakeEstimate, Observer O>
 Expected<Route, Failure> graph_search(const S& space, const Query& query, GridGraphScratch& scratch,
                                       O& observer, const Prices& prices,
                                       const MakeEstimate& make_estimate) {

@@ -86,7 +86,7 @@ class GridLabels {
   };
 
   /// Forgets all labels. Allocates for a larger grid, and once in 8191 queries.
-  View begin(std::size_t size) {
+  View reset(std::size_t size) {
     if (labels_.size() < size || query_ == LabelWords::last_query) {
       labels_ = ZeroedArray<std::uint64_t>(size);
       query_ = 0;

@@ -20,7 +20,7 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// LinkedQuery: a query in terms of cells.
+/// GridQuery: a query in terms of cells.
 
 namespace tutavia::detail {
 
@@ -40,8 +40,8 @@ class CellLinks {
  public:
   CellLinks() = default;
   /// Lengths become cost units, rounded up.
-  CellLinks(const Links& links, double resolution) {
-    for (const Link& link : links) {
+  CellLinks(const EndpointLinks& links, double resolution) {
+    for (const EndpointLink& link : links) {
       links_[size_++] = {
           link.cell, static_cast<Cost>(
                          std::ceil(link.length / resolution * static_cast<double>(straight_cost)))};
@@ -64,12 +64,12 @@ class CellLinks {
   }
 
  private:
-  std::array<CellLink, Links::capacity> links_{};
+  std::array<CellLink, EndpointLinks::capacity> links_{};
   std::size_t size_ = 0;
 };
 
 /// Start and goal of a query joined to a grid.
-struct LinkedQuery {
+struct GridQuery {
   CellLinks starts;
   CellLinks goals;
   Cell start_cell{};  ///< nearest to the start
@@ -81,8 +81,8 @@ struct LinkedQuery {
   /// Whether the straight segment between start and goal is free and to be taken.
   bool is_straight = false;
 
-  LinkedQuery reversed() const {
-    LinkedQuery result{goals, starts, goal_cell, start_cell};
+  GridQuery reversed() const {
+    GridQuery result{goals, starts, goal_cell, start_cell};
     result.goal_offset = least_offset(starts, start_cell);
     return result;
   }
@@ -132,14 +132,14 @@ enum class StraightSegment { tried_first, ignored };
 /// `goal_blocked` also where no cell around the point can be reached from it, unless the straight
 /// segment will do.
 template <LinkedSpace S>
-Expected<LinkedQuery, Failure> link_query(const S& space, const Query& query,
+Expected<GridQuery, Failure> link_to_grid(const S& space, const Query& query,
                                           StraightSegment straight) {
   if (auto valid = check_query(space, query); !valid) return std::move(valid).unexpected();
   const Frame& frame = space.frame();
-  LinkedQuery linked{{space.links(query.start), frame.resolution},
-                     {space.links(query.goal), frame.resolution},
-                     frame.nearest_cell(query.start),
-                     frame.nearest_cell(query.goal)};
+  GridQuery linked{{space.links(query.start), frame.resolution},
+                   {space.links(query.goal), frame.resolution},
+                   frame.nearest_cell(query.start),
+                   frame.nearest_cell(query.goal)};
   const bool on_grid = linked.starts.is_cell() && linked.goals.is_cell();
   const bool tries_straight = straight == StraightSegment::tried_first && !on_grid;
   if (tries_straight && space.segment_free(query.start, query.goal)) {
@@ -152,7 +152,7 @@ Expected<LinkedQuery, Failure> link_query(const S& space, const Query& query,
   if (linked.goals.size() == 0) {
     return fail(PlanError::goal_blocked, "the goal has no link to the grid at this resolution");
   }
-  linked.goal_offset = LinkedQuery::least_offset(linked.goals, linked.goal_cell);
+  linked.goal_offset = GridQuery::least_offset(linked.goals, linked.goal_cell);
   return linked;
 }
 
@@ -170,8 +170,8 @@ inline Failure grid_failure(Failure failure, const Statistics& stats, double res
 
 /// The polyline from start to goal through `cells`, which lead from the goal's cell back to the
 /// start's. A cell that coincides with the start or the goal gives way to it.
-inline Curve path_through(std::span<const Cell> cells, const LinkedQuery& linked,
-                          const Query& query, const Frame& frame) {
+inline Curve path_through(std::span<const Cell> cells, const GridQuery& linked, const Query& query,
+                          const Frame& frame) {
   auto first = cells.rbegin(), last = cells.rend();
   if (first != last && linked.starts.cost_of(*first) == Cost{0}) ++first;
   if (first != last && linked.goals.cost_of(cells.front()) == Cost{0}) --last;

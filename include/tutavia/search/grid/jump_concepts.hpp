@@ -19,19 +19,20 @@
 
 namespace tutavia::detail {
 
-/// The open list of a jump point search: JumpQueue, for estimates that are consistent, or JumpHeap.
+/// The open list of a jump point search: WideBucketQueue, for estimates that are consistent, or
+/// BinaryHeap.
 ///
-/// `begin(least)` empties it, and no key will be less. `push(key, node, note)` puts an entry in.
-/// `advance()` is a lower bound of all keys, less than `width` below that of the entry which
+/// `reset(least)` empties it, and no key will be less. `push(key, node, note)` puts an entry in.
+/// `offset_along()` is a lower bound of all keys, less than `width` below that of the entry which
 /// `pop()` then takes out.
 template <class L>
-concept JumpOpenList = std::default_initializable<L> &&
+concept OpenList = std::default_initializable<L> &&
     requires(L& open, const L& constant, Cost key, std::uint32_t number) {
   { L::width } -> std::convertible_to<Cost>;
-  open.begin(key);
+  open.reset(key);
   { constant.empty() } -> std::same_as<bool>;
   open.push(key, number, number);
-  { open.advance() } -> std::same_as<Cost>;
+  { open.seek_first() } -> std::same_as<Cost>;
   { open.pop().node } -> std::convertible_to<std::uint32_t>;
   { open.pop().note } -> std::convertible_to<std::uint32_t>;
 };
@@ -64,7 +65,7 @@ concept PrefetchingScanner = JumpScanner<S> && requires(const S& scanner, Cell c
 /// What guides a JumpSearch: `Open` is the type of its open list, `estimate(cell)` what the way
 /// from a cell to the goal may cost.
 template <class G>
-concept JumpGuide = JumpOpenList<typename G::Open> && requires(const G& guide, Cell cell) {
+concept JumpGuide = OpenList<typename G::Open> && requires(const G& guide, Cell cell) {
   { guide.estimate(cell) } -> std::same_as<Cost>;
 };
 
@@ -72,23 +73,23 @@ concept JumpGuide = JumpOpenList<typename G::Open> && requires(const G& guide, C
 /// parent's own.
 template <class G>
 concept LookBackGuide = JumpGuide<G> && requires(const G& guide, Cell cell) {
-  { guide.sees(cell, cell) } -> std::same_as<bool>;
+  { guide.line_of_sight(cell, cell) } -> std::same_as<bool>;
 };
 
 /// Memory of a jump point search.
-template <JumpOpenList Open>
+template <OpenList Open>
 struct JumpScratchWith {
-  JumpLabels labels;
+  LabelMap labels;
   Open open;
   std::vector<Cell> cells;
 };
-using JumpScratch = JumpScratchWith<JumpQueue>;
+using JumpScratch = JumpScratchWith<WideBucketQueue>;
 
 /// What guides jump point search proper: octile distance, and no looking back.
 struct OctileGuide {
-  using Open = JumpQueue;
+  using Open = WideBucketQueue;
 
-  explicit OctileGuide(const LinkedQuery& linked) : octile{linked.goal_cell, linked.goal_offset} {}
+  explicit OctileGuide(const GridQuery& linked) : octile{linked.goal_cell, linked.goal_offset} {}
   Cost estimate(Cell cell) const { return octile(cell); }
 
   OctileHeuristic octile;

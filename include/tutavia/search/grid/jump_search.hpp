@@ -47,7 +47,7 @@ inline Cost euclidean_cost(Cell a, Cell b) {
 template <JumpScanner Scanner, JumpGuide Guide, GridSpace S, Observer O>
 class JumpSearch {
  public:
-  JumpSearch(SearchContext<S, O>& context, const LinkedQuery& linked, const Scanner& scanner,
+  JumpSearch(SearchContext<S, O>& context, const GridQuery& linked, const Scanner& scanner,
              const Guide& guide, JumpScratchWith<typename Guide::Open>& scratch)
       : context_(context),
         grid_(context.space.grid().view()),
@@ -59,17 +59,17 @@ class JumpSearch {
         open_(scratch.open) {}
 
   Expected<void, Failure> run() {
-    labels_.begin();
+    labels_.reset();
     Cost least = none;
     for (const auto& [cell, cost] : linked_.starts) least = std::min(least, cost + estimate(cell));
-    open_.begin(least);
+    open_.reset(least);
     for (const auto& [cell, cost] : linked_.starts) {
       note(cell, cost, no_step);
       reach_noted(cell);
       leave_at(cell, cost, cell);
     }
     while (!open_.empty()) {
-      const Cost least_key = open_.advance();
+      const Cost least_key = open_.seek_first();
       if (least_key >= best_) break;
       const auto entry = open_.pop();
       const std::uint64_t label = labels_[entry.node].word;
@@ -99,7 +99,7 @@ class JumpSearch {
         cells.push_back(from);
       }
       const auto index = static_cast<std::uint32_t>(grid_.index(from));
-      const JumpLabels::Label& label = labels_[index];
+      const LabelMap::Label& label = labels_[index];
       if (LabelWords::arrival(label.word) == no_step) return;
       to = from;
       from = grid_.cell(label.parent);
@@ -219,7 +219,7 @@ class JumpSearch {
 
   bool sees(Cell a, Cell b) const {
     if constexpr (LookBackGuide<Guide>) {
-      return guide_.sees(a, b);
+      return guide_.line_of_sight(a, b);
     } else {
       return false;
     }
@@ -230,8 +230,8 @@ class JumpSearch {
   const Scanner& scanner_;
   const Guide& guide_;
   const CanonicalTable& table_;
-  const LinkedQuery& linked_;
-  JumpLabels& labels_;
+  const GridQuery& linked_;
+  LabelMap& labels_;
   Open& open_;
   Cost best_ = none;
   Cell best_goal_{}, best_parent_{};
@@ -240,7 +240,7 @@ class JumpSearch {
 };
 
 /// A JumpSearch and what comes before and after it; see `jump_search`.
-template <JumpScanner Scanner, std::invocable<const LinkedQuery&> MakeGuide, JumpOpenList Open,
+template <JumpScanner Scanner, std::invocable<const GridQuery&> MakeGuide, OpenList Open,
           std::invocable<std::vector<Cell>&> Finish>
 struct GuidedJumpSearch {
   const Scanner& scanner;
@@ -249,7 +249,7 @@ struct GuidedJumpSearch {
   const Finish& finish;
 
   template <GridSpace S, Observer O>
-  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+  Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
     const auto guide = make_guide(linked);
     JumpSearch search(context, linked, scanner, guide, scratch);
     if (auto found = search.run(); !found) return std::move(found).unexpected();
@@ -261,8 +261,8 @@ struct GuidedJumpSearch {
 
 /// Jump point search of any kind. `make_guide(linked)` makes the guide, `finish(cells)` may change
 /// the path found.
-template <GridSpace S, JumpScanner Scanner, std::invocable<const LinkedQuery&> MakeGuide,
-          JumpOpenList Open, Observer O, std::invocable<std::vector<Cell>&> Finish>
+template <GridSpace S, JumpScanner Scanner, std::invocable<const GridQuery&> MakeGuide,
+          OpenList Open, Observer O, std::invocable<std::vector<Cell>&> Finish>
 Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
                                      const MakeGuide& make_guide, JumpScratchWith<Open>& scratch,
                                      O& observer, const Finish& finish) {
@@ -276,7 +276,7 @@ template <GridSpace S, JumpScanner Scanner, Observer O>
 Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
                                      JumpScratch& scratch, O& observer) {
   return jump_search(
-      space, query, scanner, [](const LinkedQuery& linked) { return OctileGuide(linked); }, scratch,
+      space, query, scanner, [](const GridQuery& linked) { return OctileGuide(linked); }, scratch,
       observer, [](std::vector<Cell>&) {});
 }
 

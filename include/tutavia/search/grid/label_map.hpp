@@ -10,14 +10,14 @@
 #include "tutavia/search/grid/grid_labels.hpp"
 
 /// \file
-/// JumpLabels: what a search knows about the few cells it stops at.
+/// LabelMap: what a search knows about the few cells it stops at.
 
 namespace tutavia::detail {
 
 /// Labels of jump points, found by the cell's index: open addressing with linear probing (Knuth
 /// 1998, section 6.4, algorithm L). The labels are words as in GridLabels, so labels of earlier
 /// queries count as empty places and nothing is cleared between queries.
-class JumpLabels {
+class LabelMap {
  public:
   struct Label {
     std::uint64_t word;
@@ -26,7 +26,7 @@ class JumpLabels {
   };
 
   /// Forgets all labels.
-  void begin() {
+  void reset() {
     if (query_ == LabelWords::last_query) {
       labels_.assign(labels_.size(), Label{});
       query_ = 0;

@@ -5,14 +5,14 @@
 #include <vector>
 
 /// \file
-/// OpenList: what waits in a search, the best first.
+/// OpenHeap: what waits in a search, the best first.
 
 namespace tutavia::detail {
 
 /// A binary heap of entries; `a < b` says that entry a is worse than b. The order never depends on
 /// the heap where no two entries are equal. Keeps its memory from one query to the next.
 template <class Entry>
-class OpenList {
+class OpenHeap {
  public:
   bool empty() const { return entries_.empty(); }
   void clear() { entries_.clear(); }

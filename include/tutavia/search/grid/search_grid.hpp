@@ -31,7 +31,7 @@ struct GridPath {
 /// The core of a search on a grid: `run(linked, context)` finds a path between the cells that start
 /// and goal are linked to.
 template <class G, class S, class O>
-concept GridSearch = requires(const G& search, const LinkedQuery& linked,
+concept GridSearch = requires(const G& search, const GridQuery& linked,
                               SearchContext<S, O>& context) {
   { search.run(linked, context) } -> std::same_as<Expected<GridPath, Failure>>;
 };
@@ -45,7 +45,7 @@ template <LinkedSpace S, Observer O, GridSearch<S, O> Search>
 Expected<Route, Failure> search_grid(const S& space, const Query& query, O& observer,
                                      const Search& search,
                                      StraightSegment straight = StraightSegment::tried_first) {
-  auto linked = link_query(space, query, straight);
+  auto linked = link_to_grid(space, query, straight);
   if (!linked) return std::move(linked).unexpected();
   const Frame& frame = space.frame();
   SearchContext<S, O> context{space, query, observer};

@@ -8,7 +8,7 @@
 #include "tutavia/core/parts/zeroed_array.hpp"
 
 /// \file
-/// QueryLabels: labels that are forgotten from one query to the next without being cleared.
+/// StampedLabels: labels that are forgotten from one query to the next without being cleared.
 
 namespace tutavia::detail {
 
@@ -16,10 +16,10 @@ namespace tutavia::detail {
 /// it, so that those of earlier queries are told apart and, once warm, nothing is cleared or
 /// allocated. What is never written takes no memory, as far as whole pages go untouched.
 template <class Label>
-class QueryLabels {
+class StampedLabels {
  public:
   /// Forgets all labels. Allocates for more of them than ever, and once in 2^32 queries.
-  void begin(std::size_t size) {
+  void reset(std::size_t size) {
     if (labels_.size() < size || query_ == std::numeric_limits<std::uint32_t>::max()) {
       labels_ = ZeroedArray<Label>(size);
       query_ = 0;

@@ -39,7 +39,7 @@ class ThetaScratch {
     std::uint32_t stamp;
   };
 
-  void begin(std::size_t size) {
+  void reset(std::size_t size) {
     if (labels_.size() < size || query_ == last_query) {
       labels_ = ZeroedArray<Label>(size);
       query_ = 0;
@@ -55,7 +55,7 @@ class ThetaScratch {
   }
   void close(std::uint32_t node) { labels_[node].stamp |= 1; }
 
-  JumpQueueOf<6> open;  // closed cells stay closed: their order matters
+  WideBucketQueueOf<6> open;  // closed cells stay closed: their order matters
   std::vector<Cell> cells;
 
  private:
@@ -66,7 +66,7 @@ class ThetaScratch {
 };
 
 /// Gives the steps that lead from a node of the space's grid, by its index.
-template <SightSpace S>
+template <LineOfSightSpace S>
 auto successors_of(const S& space) {
   if constexpr (GridSpace<S>) {
     return [grid = space.grid().view(), &table = all_successors(space.movement())](
@@ -84,10 +84,10 @@ enum class SightTest {
 
 /// One query of Theta* or Lazy Theta*. Nodes are the cells by index, and the query's start and goal
 /// where they are not cells themselves.
-template <SightTest Test, SightSpace S, Observer O>
+template <SightTest Test, LineOfSightSpace S, Observer O>
 class ThetaSearch {
  public:
-  ThetaSearch(SearchContext<S, O>& context, const LinkedQuery& linked, ThetaScratch& scratch)
+  ThetaSearch(SearchContext<S, O>& context, const GridQuery& linked, ThetaScratch& scratch)
       : context_(context),
         space_(context.space),
         grid_(space_.grid().view()),
@@ -102,11 +102,11 @@ class ThetaSearch {
         goal_place_(in_cells(context.query.goal)) {}
 
   Expected<void, Failure> run() {
-    labels_.begin(std::size_t{cells_} + 2);
-    labels_.open.begin(0);
+    labels_.reset(std::size_t{cells_} + 2);
+    labels_.open.reset(0);
     reach(start_, 0, start_);
     while (!labels_.open.empty()) {
-      labels_.open.advance();
+      labels_.open.seek_first();
       const std::uint32_t node = labels_.open.pop().node;
       if (labels_.closed(node)) continue;
       if (is_lazy && !settle(node)) continue;
@@ -202,24 +202,24 @@ class ThetaSearch {
   }
 
   bool sees(std::uint32_t a, std::uint32_t b) const {
-    if (a < cells_ && b < cells_) return space_.sees(grid_.cell(a), grid_.cell(b));
+    if (a < cells_ && b < cells_) return space_.line_of_sight(grid_.cell(a), grid_.cell(b));
     return space_.segment_free(point(a), point(b));
   }
 
   /// Coordinates in cells.
-  struct Place {
+  struct CellCoords {
     double x, y;
   };
-  Place in_cells(const Point& p) const {
+  CellCoords in_cells(const Point& p) const {
     const Point place = (p - frame_.origin) / frame_.resolution;
     return {place.x(), place.y()};
   }
-  Place place(std::uint32_t node) const {
+  CellCoords place(std::uint32_t node) const {
     if (node >= cells_) return node == cells_ ? start_place_ : goal_place_;
     const Cell cell = grid_.cell(node);
     return {static_cast<double>(cell.x), static_cast<double>(cell.y)};
   }
-  static double length(Place a, Place b) {
+  static double length(CellCoords a, CellCoords b) {
     const double dx = a.x - b.x, dy = a.y - b.y;
     return std::sqrt(dx * dx + dy * dy);
   }
@@ -236,11 +236,11 @@ class ThetaSearch {
   OccupancyGrid::View grid_;
   Frame frame_;
   decltype(successors_of(std::declval<const S&>())) successors_;
-  const LinkedQuery& linked_;
+  const GridQuery& linked_;
   ThetaScratch& labels_;
   std::uint32_t cells_;
   std::uint32_t start_, goal_;
-  Place start_place_, goal_place_;
+  CellCoords start_place_, goal_place_;
 };
 
 /// A ThetaSearch for search_grid.
@@ -248,8 +248,8 @@ template <SightTest Test>
 struct ThetaGridSearch {
   ThetaScratch& scratch;
 
-  template <SightSpace S, Observer O>
-  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
+  template <LineOfSightSpace S, Observer O>
+  Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
     ThetaSearch<Test, S, O> search(context, linked, scratch);
     if (auto found = search.run(); !found) return std::move(found).unexpected();
     search.trace(scratch.cells);
@@ -257,10 +257,10 @@ struct ThetaGridSearch {
   }
 };
 
-template <SightTest Test, SightSpace S, Observer O>
-Expected<Route, Failure> theta_search(const S& space, const Query& query, Vertices vertices,
+template <SightTest Test, LineOfSightSpace S, Observer O>
+Expected<Route, Failure> theta_search(const S& space, const Query& query, NodePlacement nodes,
                                       ThetaScratch& scratch, O& observer) {
-  if (vertices == Vertices::cell_centre) {
+  if (nodes == NodePlacement::cell_centre) {
     return search_grid(space, query, observer, ThetaGridSearch<Test>{scratch});
   }
   if constexpr (std::same_as<S, CellSpace>) {
@@ -270,7 +270,7 @@ Expected<Route, Failure> theta_search(const S& space, const Query& query, Vertic
     }
     if (space.safety_radius() == 0) {
       if (auto valid = check_query(space, query); !valid) return std::move(valid).unexpected();
-      return search_grid(CellCorners(space), query, observer, ThetaGridSearch<Test>{scratch});
+      return search_grid(CornerGraph(space), query, observer, ThetaGridSearch<Test>{scratch});
     }
   }
   return fail(PlanError::invalid_option, "cell_corner is defined for cells at safety radius 0");

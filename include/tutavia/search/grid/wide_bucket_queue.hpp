@@ -12,7 +12,7 @@
 #include "tutavia/grid/movement.hpp"
 
 /// \file
-/// JumpQueue: an open list for keys that rise by any amount.
+/// WideBucketQueue: an open list for keys that rise by any amount.
 
 namespace tutavia::detail {
 
@@ -21,7 +21,7 @@ namespace tutavia::detail {
 /// buckets are narrow, so few nodes are taken out of order and have to be re-opened. Nothing is
 /// freed between queries.
 template <int Shift>
-class JumpQueueOf {
+class WideBucketQueueOf {
  public:
   struct Entry {
     std::uint32_t node;
@@ -32,7 +32,7 @@ class JumpQueueOf {
   static constexpr Cost width = Cost{1} << Shift;  ///< of a bucket
 
   /// Empties the queue; no key will be less than `least`.
-  void begin(Cost least) {
+  void reset(Cost least) {
     pool_.clear();
     beyond_.clear();
     occupied_.fill(0);
@@ -54,7 +54,7 @@ class JumpQueueOf {
   }
 
   /// A lower bound of all keys; moves on to the first bucket with entries. \pre not empty
-  Cost advance() {
+  Cost seek_first() {
     Cost first = words_ == 0 ? least_beyond_ : first_in_circle();
     if (first >= least_beyond_) {
       take_in();
@@ -64,7 +64,7 @@ class JumpQueueOf {
     return current_ << Shift;
   }
 
-  /// Takes an entry from the bucket that `advance` has moved to.
+  /// Takes an entry from the bucket that `seek_first` has moved to.
   Entry pop() {
     const auto bucket = static_cast<std::size_t>(current_) % count;
     const Entry entry = pool_[heads_[bucket]];
@@ -135,6 +135,6 @@ class JumpQueueOf {
 };
 
 /// Buckets of 1/14 of a cell: for searches that open nodes again where a better way turns up.
-using JumpQueue = JumpQueueOf<10>;
+using WideBucketQueue = WideBucketQueueOf<10>;
 
 }  // namespace tutavia::detail

@@ -15,7 +15,7 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// CellCorners: the corners of a CellSpace's cells as nodes.
+/// CornerGraph: the corners of a CellSpace's cells as nodes.
 
 namespace tutavia::detail {
 
@@ -23,10 +23,10 @@ namespace tutavia::detail {
 /// rules of the Grid-Based Path Planning Competition: a path may slide along blocked cells and
 /// touch their corners, but not pass between two that share a side or only a corner. A view: the
 /// cells must outlive it.
-class CellCorners {
+class CornerGraph {
  public:
   /// \pre the safety radius is 0
-  explicit CellCorners(const CellSpace& cells)
+  explicit CornerGraph(const CellSpace& cells)
       : cells_(&cells), frame_{cells.corner({0, 0}), cells.frame().resolution} {}
 
   /// The corners that a path may pass.
@@ -52,7 +52,7 @@ class CellCorners {
   }
 
   /// Whether the straight way between two corners is free.
-  bool sees(Cell a, Cell b) const {
+  bool line_of_sight(Cell a, Cell b) const {
     return corner_line_of_sight(cells_->grid().view(), cells_->columns().view(), a, b);
   }
 
@@ -61,8 +61,8 @@ class CellCorners {
   }
 
   /// Joins a point to the corners of the cells that hold it; to the corner alone where it is one.
-  Links links(const Point& p) const {
-    Links result;
+  EndpointLinks links(const Point& p) const {
+    EndpointLinks result;
     if (!bounds().contains(p)) return result;
     const OccupancyGrid& corners = grid();
     const Cell nearest = frame_.nearest_cell(p);
@@ -76,8 +76,9 @@ class CellCorners {
         if (!cells_->grid().contains(cell) || !cells_->grid().is_free(cell)) continue;
         if (!Box{frame_.point(cell), frame_.point(cell + Cell{1, 1})}.contains(p)) continue;
         for (const Cell corner : {cell, cell + Cell{1, 0}, cell + Cell{1, 1}, cell + Cell{0, 1}}) {
-          const bool known = std::any_of(result.begin(), result.end(),
-                                         [&](const Link& link) { return link.cell == corner; });
+          const bool known =
+              std::any_of(result.begin(), result.end(),
+                          [&](const EndpointLink& link) { return link.cell == corner; });
           if (known || !corners.is_free(corner)) continue;
           result.push_back({corner, distance(p, frame_.point(corner))});
         }

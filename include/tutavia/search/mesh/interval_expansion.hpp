@@ -48,7 +48,7 @@ class IntervalExpansion {
 
   /// Begins a query: adds the successors of the start, all sides of the pieces that hold it.
   void start() {
-    scratch_.begin(geometry_.corners(), dead_end_limit());
+    scratch_.reset(geometry_.corners(), dead_end_limit());
     for_each_piece_at(query_.goal, [&](Piece piece) {
       goal_pieces_.push_back(pieces_.open(piece));
       mark_passage(piece);

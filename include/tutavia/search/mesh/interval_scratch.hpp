@@ -37,10 +37,10 @@ class IntervalScratch {
  public:
   using Node = IntervalNode;
 
-  void begin(std::size_t corners, std::size_t pieces) {
-    roots_.begin(corners);
-    passages_.begin(pieces);
-    open_.begin(0);
+  void reset(std::size_t corners, std::size_t pieces) {
+    roots_.reset(corners);
+    passages_.reset(pieces);
+    open_.reset(0);
     nodes_.clear();
     successors.clear();
   }
@@ -59,8 +59,8 @@ class IntervalScratch {
 
   bool empty() const { return open_.empty(); }
   /// Moves on to the nodes with the least f; a lower bound of it. \pre not empty
-  double advance() {
-    least_ = open_.advance();
+  double seek_first() {
+    least_ = open_.seek_first();
     return static_cast<double>(least_) / scale;
   }
   void push(const Node& node) {
@@ -68,8 +68,8 @@ class IntervalScratch {
     nodes_.push_back(node);
   }
   /// Whether a node, if it were pushed, would be popped at once.
-  bool is_next(const Node& node) const { return key(node) < least_ + JumpQueue::width; }
-  /// A node with about the least f. \pre `advance` was called after the last push
+  bool is_next(const Node& node) const { return key(node) < least_ + WideBucketQueue::width; }
+  /// A node with about the least f. \pre `seek_first` was called after the last push
   const Node& pop() { return nodes_[open_.pop().node]; }
 
   std::vector<Node> successors;
@@ -81,9 +81,9 @@ class IntervalScratch {
   static constexpr auto scale = static_cast<double>(straight_cost);
   static Cost key(const Node& node) { return static_cast<Cost>(node.f * scale); }
 
-  QueryLabels<IntervalRoot> roots_;
-  QueryLabels<Passage> passages_;
-  JumpQueue open_;
+  StampedLabels<IntervalRoot> roots_;
+  StampedLabels<Passage> passages_;
+  WideBucketQueue open_;
   Cost least_ = 0;
   std::vector<Node> nodes_;
 };

@@ -24,12 +24,12 @@
 
 namespace tutavia::detail {
 
-/// One query over a decomposition of the free cells into convex pieces, RowRuns or NavigationMesh.
+/// One query over a decomposition of the free cells into convex pieces, FreeRuns or NavigationMesh.
 template <ConvexPieces Pieces, Observer O>
-class IntervalSearch {
+class Polyanya {
  public:
-  IntervalSearch(const CellSpace& space, const Pieces& pieces, const Query& query,
-                 IntervalScratch& scratch, O& observer, Statistics& stats)
+  Polyanya(const CellSpace& space, const Pieces& pieces, const Query& query,
+           IntervalScratch& scratch, O& observer, Statistics& stats)
       : space_(space),
         query_(query),
         scratch_(scratch),
@@ -39,7 +39,7 @@ class IntervalSearch {
   Expected<void, Failure> run() {
     expansion_.start();
     for (const Node& node : scratch_.successors) scratch_.push(node);
-    while (!scratch_.empty() && scratch_.advance() < expansion_.best()) {
+    while (!scratch_.empty() && scratch_.seek_first() < expansion_.best()) {
       Node node = scratch_.pop();
       while (true) {
         if (expansion_.is_stale(node)) break;

@@ -27,19 +27,19 @@
 
 namespace tutavia::detail {
 
-/// Rectangles grow from the start and from the goal by turns, in each wave from the passage with
-/// the smallest key, until one holds cells of a passage of the other wave (or, if the search is to
-/// go on, until no key is below the length of the best such meeting); until then a new passage with
-/// cells in a rectangle of the other wave is a meeting, too. A passage whose next cells lie in
+/// Rectangles grow from the start and from the goal by turns, in each wave from the exit with
+/// the smallest key, until one holds cells of a exit of the other wave (or, if the search is to
+/// go on, until no key is below the length of the best such meeting); until then a new exit with
+/// cells in a rectangle of the other wave is a meeting, too. A exit whose next cells lie in
 /// rectangles of its wave already leads nowhere new and is left out; a wave that comes to its end
 /// has therefore seen all it can reach.
-template <ColumnSpace S, PassageEvaluation Evaluation, Observer O>
-class RectangleWaves {
+template <ColumnSpace S, ExitEvaluation Evaluation, Observer O>
+class BidirectionalRectangles {
  public:
-  using Wave = RectangleWave<Evaluation>;
+  using Wave = RectangleExpansion<Evaluation>;
 
-  RectangleWaves(SearchContext<S, O>& context, const LinkedQuery& linked,
-                 RectangleWavesScratch<Evaluation>& scratch)
+  BidirectionalRectangles(SearchContext<S, O>& context, const GridQuery& linked,
+                          BidirectionalRectanglesScratch<Evaluation>& scratch)
       : context_(context),
         space_(context.space),
         free_(space_),
@@ -47,8 +47,8 @@ class RectangleWaves {
         scratch_(scratch) {}
 
   Expected<void, Failure> run(bool continue_after_contact) {
-    begin(scratch_.waves[0], linked_);
-    begin(scratch_.waves[1], linked_.reversed());
+    reset(scratch_.waves[0], linked_);
+    reset(scratch_.waves[1], linked_.reversed());
     for (std::size_t turn = 0; continue_after_contact || !met(); turn = 1 - turn) {
       auto next = pop(scratch_.waves[turn]);
       if (!next) {
@@ -72,8 +72,8 @@ class RectangleWaves {
     append_way(mine, best_.entry, rails);
     std::reverse(rails.begin(), rails.end());
     joint = rails.size() - 1;
-    const Passage& passage = other.passages[best_.passage];
-    if (!is_root(other, best_.passage)) append_way(other, passage.parent, rails);
+    const Exit& exit = other.exits[best_.exit];
+    if (!is_root(other, best_.exit)) append_way(other, exit.parent, rails);
     for (std::size_t i = joint; i < rails.size(); ++i) rails[i].cells.side *= -1;
     if (best_.turn == 0) return;
     std::reverse(rails.begin(), rails.end());
@@ -82,72 +82,72 @@ class RectangleWaves {
   }
 
  private:
-  static constexpr bool looks_from_cells = ReachEvaluation<Evaluation>;
+  static constexpr bool looks_from_cells = CellwiseEvaluation<Evaluation>;
 
   struct Meeting {
     double length = std::numeric_limits<double>::max();
     Cell cell{};
     CellInterval joint{};
-    std::size_t turn = 0;       // the wave whose rectangle it is
-    std::uint32_t entry = 0;    // the passage that the rectangle grew from
-    std::uint32_t passage = 0;  // of the other wave
+    std::size_t turn = 0;     // the wave whose rectangle it is
+    std::uint32_t entry = 0;  // the exit that the rectangle grew from
+    std::uint32_t exit = 0;   // of the other wave
   };
 
-  /// Appends the rails from a passage back to its root, on the way from the last node.
+  /// Appends the rails from a exit back to its root, on the way from the last node.
   static void append_way(Wave& wave, std::uint32_t from, std::vector<Rail>& rails) {
     while (true) {
-      const Passage& passage = wave.passages[from];
-      const int place = wave.evaluation.place_before(passage, rails.back().node());
-      rails.push_back({passage.cells, place});
+      const Exit& exit = wave.exits[from];
+      const int place = wave.evaluation.place_before(exit, rails.back().node());
+      rails.push_back({exit.cells, place});
       if (is_root(wave, from)) return;
-      from = passage.parent;
+      from = exit.parent;
     }
   }
 
   bool met() const { return best_.length < std::numeric_limits<double>::max(); }
 
-  void begin(Wave& wave, const LinkedQuery& there) {
-    wave.passages.clear();
+  void reset(Wave& wave, const GridQuery& there) {
+    wave.exits.clear();
     wave.expanded.clear();
     wave.open.clear();
     const OccupancyGrid& grid = space_.grid();
-    wave.marked.begin(grid);
-    wave.covered.begin(grid);
+    wave.marked.reset(grid);
+    wave.covered.reset(grid);
     if (wave.markers.size() < grid.index_count()) wave.markers.resize(grid.index_count());
-    wave.evaluation.begin(there.goal_cell, there.goal_offset, grid);
+    wave.evaluation.reset(there.goal_cell, there.goal_offset, grid);
     for (const auto& [cell, cost] : there.starts) {
-      Passage root{.cells = {0, cell.y, cell.x, cell.x, 1}, .parent = next(wave)};
+      Exit root{.cells = {0, cell.y, cell.x, cell.x, 1}, .parent = next(wave)};
       const double key = wave.evaluation.root(root, cost);
       push(wave, root, key);
     }
   }
 
   static std::uint32_t next(const Wave& wave) {
-    return static_cast<std::uint32_t>(wave.passages.size());
+    return static_cast<std::uint32_t>(wave.exits.size());
   }
 
-  void push(Wave& wave, const Passage& passage, double key) {
-    const CellInterval& cells = passage.cells;
+  void push(Wave& wave, const Exit& exit, double key) {
+    const CellInterval& cells = exit.cells;
     for (int u = cells.first; u <= cells.last; ++u) {
       wave.marked.add(cells.cell(u));
       wave.markers[space_.grid().index(cells.cell(u))] = next(wave);
     }
     wave.open.push({key, next(wave)});
-    wave.passages.push_back(passage);
+    wave.exits.push_back(exit);
     context_.count_generated(cells.middle());
   }
 
-  static bool is_root(const Wave& wave, std::uint32_t passage) {
-    return wave.passages[passage].parent == passage;
+  static bool is_root(const Wave& wave, std::uint32_t exit) {
+    return wave.exits[exit].parent == exit;
   }
 
-  /// The passage with the smallest key, of those that lead to cells that no rectangle of the wave
+  /// The exit with the smallest key, of those that lead to cells that no rectangle of the wave
   /// holds, if that key is below the length of the best path.
   std::optional<std::uint32_t> pop(Wave& wave) {
     while (!wave.open.empty() && wave.open.top().key < best_.length) {
-      const std::uint32_t passage = wave.open.pop().passage;
-      const CellInterval& cells = wave.passages[passage].cells;
-      if (is_root(wave, passage) || !wave.covered.holds(cells.beyond())) return passage;
+      const std::uint32_t exit = wave.open.pop().exit;
+      const CellInterval& cells = wave.exits[exit].cells;
+      if (is_root(wave, exit) || !wave.covered.holds(cells.beyond())) return exit;
     }
     return std::nullopt;
   }
@@ -155,21 +155,21 @@ class RectangleWaves {
   void expand(std::size_t turn, std::uint32_t from) {
     Wave& wave = scratch_.waves[turn];
     Wave& other = scratch_.waves[1 - turn];
-    const CellInterval cells = wave.passages[from].cells;
+    const CellInterval cells = wave.exits[from].cells;
     const bool had_met = met();
     context_.count_expanded(cells.middle());
     const bool root = is_root(wave, from);
     const CellRectangle r = root ? free_.grow_around(cells.cell(cells.first)) : free_.grow(cells);
-    tell_of(context_.observer, space_, cells, r);
-    wave.passages[from].rectangle = r;
+    notify_rectangle(context_.observer, space_, cells, r);
+    wave.exits[from].rectangle = r;
     wave.expanded.push_back(from);
     wave.covered.add(r);
-    if constexpr (looks_from_cells) wave.evaluation.expand(wave.passages[from]);
+    if constexpr (looks_from_cells) wave.evaluation.expand(wave.exits[from]);
     const std::uint64_t now = context_.statistics.expanded;
     other.marked.for_each_in(r, [&](Cell cell) {
-      const std::uint32_t passage = other.markers[space_.grid().index(cell)];
-      if (std::exchange(other.passages[passage].asked, now) != now) {
-        consider(turn, from, passage);
+      const std::uint32_t exit = other.markers[space_.grid().index(cell)];
+      if (std::exchange(other.exits[exit].asked, now) != now) {
+        consider(turn, from, exit);
       }
     });
     const std::uint32_t old = next(wave);
@@ -179,25 +179,25 @@ class RectangleWaves {
     if (!had_met) look_for_meetings(turn, old);
   }
 
-  /// Considers the passages of a wave from `first` on that have cells in rectangles of the other
+  /// Considers the exits of a wave from `first` on that have cells in rectangles of the other
   /// wave.
   void look_for_meetings(std::size_t turn, std::uint32_t first) {
     const Wave& wave = scratch_.waves[turn];
     Wave& other = scratch_.waves[1 - turn];
-    for (std::uint32_t p = first; p < wave.passages.size(); ++p) {
-      if (!other.covered.meets(wave.passages[p].cells)) continue;
+    for (std::uint32_t p = first; p < wave.exits.size(); ++p) {
+      if (!other.covered.meets(wave.exits[p].cells)) continue;
       for (const std::uint32_t entry : other.expanded) {
-        const Passage& grown = other.passages[entry];
-        if (grown.rectangle.clip(wave.passages[p].cells).run().size() <= 0) continue;
+        const Exit& grown = other.exits[entry];
+        if (grown.rectangle.clip(wave.exits[p].cells).run().size() <= 0) continue;
         if constexpr (looks_from_cells) other.evaluation.expand(grown);
         consider(1 - turn, entry, p);
       }
     }
   }
 
-  /// Leaves a rectangle by a side of it; where the passage lies on that side, beside the passage.
+  /// Leaves a rectangle by a side of it; where the exit lies on that side, beside the exit.
   void leave(Wave& wave, std::uint32_t from, const CellInterval& edge) {
-    const CellInterval& cells = wave.passages[from].cells;
+    const CellInterval& cells = wave.exits[from].cells;
     const bool is_entered =
         !is_root(wave, from) && edge.axis == cells.axis && edge.side == -cells.side;
     if (!is_entered) {
@@ -211,7 +211,7 @@ class RectangleWaves {
     add_passages(wave, from, right);
   }
 
-  /// Adds the passages out of a rectangle over an edge of it.
+  /// Adds the exits out of a rectangle over an edge of it.
   void add_passages(Wave& wave, std::uint32_t from, const CellInterval& edge) {
     scratch_.exits.clear();
     const CellInterval beyond = edge.beyond();
@@ -227,42 +227,42 @@ class RectangleWaves {
       if (!std::exchange(reached, true)) {
         if constexpr (looks_from_cells) wave.evaluation.reach(asked);
       }
-      Passage passage{.cells = cells, .parent = from};
-      const double key = wave.evaluation.enter(passage, wave.passages[from]);
-      push(wave, passage, key);
+      Exit exit{.cells = cells, .parent = from};
+      const double key = wave.evaluation.enter(exit, wave.exits[from]);
+      push(wave, exit, key);
     }
   }
 
-  /// Looks for a better path through the rectangle that grew from a passage of one wave, expanded
-  /// last, and a passage of the other wave with cells in it.
-  void consider(std::size_t turn, std::uint32_t entry, std::uint32_t passage) {
+  /// Looks for a better path through the rectangle that grew from a exit of one wave, expanded
+  /// last, and a exit of the other wave with cells in it.
+  void consider(std::size_t turn, std::uint32_t entry, std::uint32_t exit) {
     Wave& mine = scratch_.waves[turn];
     const Wave& other = scratch_.waves[1 - turn];
-    const Passage &from = mine.passages[entry], &to = other.passages[passage];
+    const Exit &from = mine.exits[entry], &to = other.exits[exit];
     const CellInterval joint = from.rectangle.clip(to.cells);
     const auto [length, cell] = mine.evaluation.meet(from, other.evaluation, to, joint);
-    if (length < best_.length) best_ = {length, cell, joint, turn, entry, passage};
+    if (length < best_.length) best_ = {length, cell, joint, turn, entry, exit};
   }
 
   SearchContext<S, O>& context_;
   const S& space_;
   FreeRectangles free_;
-  const LinkedQuery& linked_;
-  RectangleWavesScratch<Evaluation>& scratch_;
+  const GridQuery& linked_;
+  BidirectionalRectanglesScratch<Evaluation>& scratch_;
   Meeting best_;
 };
 
-/// RectangleWaves for search_grid; see `rectangle_waves`.
-template <PassageEvaluation Evaluation,
+/// BidirectionalRectangles for search_grid; see `bidirectional_rectangles`.
+template <ExitEvaluation Evaluation,
           std::invocable<std::vector<Rail>&, std::size_t, std::vector<Cell>&> LayPath>
 struct RectangleWavesSearch {
-  RectangleWavesScratch<Evaluation>& scratch;
+  BidirectionalRectanglesScratch<Evaluation>& scratch;
   bool continue_after_contact;
   const LayPath& lay_path;
 
   template <ColumnSpace S, Observer O>
-  Expected<GridPath, Failure> run(const LinkedQuery& linked, SearchContext<S, O>& context) const {
-    RectangleWaves<S, Evaluation, O> waves(context, linked, scratch);
+  Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
+    BidirectionalRectangles<S, Evaluation, O> waves(context, linked, scratch);
     auto found = waves.run(continue_after_contact);
     if (!found) return std::move(found).unexpected();
     std::size_t joint = 0;
@@ -275,12 +275,11 @@ struct RectangleWavesSearch {
 
 /// Searches by waves of rectangles; `lay_path(rails, joint, cells)` makes of the rails the cells of
 /// the path's corners, from the last to the first.
-template <PassageEvaluation Evaluation, ColumnSpace S,
+template <ExitEvaluation Evaluation, ColumnSpace S,
           std::invocable<std::vector<Rail>&, std::size_t, std::vector<Cell>&> LayPath, Observer O>
-Expected<Route, Failure> rectangle_waves(const S& space, const Query& query,
-                                         RectangleWavesScratch<Evaluation>& scratch, O& observer,
-                                         std::string_view name, bool continue_after_contact,
-                                         const LayPath& lay_path) {
+Expected<Route, Failure> bidirectional_rectangles(
+    const S& space, const Query& query, BidirectionalRectanglesScratch<Evaluation>& scratch,
+    O& observer, std::string_view name, bool continue_after_contact, const LayPath& lay_path) {
   if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
   const RectangleWavesSearch<Evaluation, LayPath> search{scratch, continue_after_contact, lay_path};
   return search_grid(space, query, observer, search);

@@ -11,7 +11,7 @@
 #include "tutavia/search/rectangle/free_rectangle.hpp"
 
 /// \file
-/// OctileReach: octile distances inside a free rectangle, from an interval of its cells.
+/// BorderCosts: octile distances inside a free rectangle, from an interval of its cells.
 
 namespace tutavia::detail {
 
@@ -22,7 +22,7 @@ namespace tutavia::detail {
 /// the two and is straight for the rest. Cells of the interval that cost more than a neighbour and
 /// the step from it are lowered to that at first. Then none that is further aside than d is better
 /// than one nearer by, and what is left is a least value within d on either hand.
-class OctileReach {
+class BorderCosts {
  public:
   /// The cheapest way to a cell: its cost, and the place in the interval that it starts from.
   struct Source {
@@ -32,7 +32,7 @@ class OctileReach {
 
   /// Starts anew from an interval; `cost_of(place)` is what a cell of it costs.
   template <class CostOf>
-  void begin(const CellInterval& from, CostOf cost_of) {
+  void reset(const CellInterval& from, CostOf cost_of) {
     from_ = from;
     costs_.resize(size());
     for (int u = from.first; u <= from.last; ++u) costs_[offset(u)] = cost_of(u);

@@ -16,7 +16,7 @@ namespace tutavia::detail {
 class CellSet {
  public:
   /// Starts again with none of a grid's cells.
-  void begin(const OccupancyGrid& grid) {
+  void reset(const OccupancyGrid& grid) {
     if (members_.width() != grid.width() || members_.height() != grid.height()) {
       members_ = OccupancyGrid::blocked(grid.width(), grid.height(),
                                         std::numeric_limits<std::int64_t>::max())

@@ -66,12 +66,14 @@ struct CellRectangle {
 
 /// Tells an observer of a rectangle, if it wishes to know.
 template <LinkedSpace S, Observer O>
-void tell_of(O& observer, const S& space, const CellInterval& from, const CellRectangle& r) {
+void notify_rectangle(O& observer, const S& space, const CellInterval& from,
+                      const CellRectangle& r) {
   if constexpr (RectangleObserver<O>) {
     const Frame& frame = space.frame();
-    observer.grown(Segment{frame.point(from.cell(from.first)), frame.point(from.cell(from.last))},
-                   Box{frame.point({r.runs[0].first, r.runs[1].first}),
-                       frame.point({r.runs[0].last, r.runs[1].last})});
+    observer.on_rectangle(
+        Segment{frame.point(from.cell(from.first)), frame.point(from.cell(from.last))},
+        Box{frame.point({r.runs[0].first, r.runs[1].first}),
+            frame.point({r.runs[0].last, r.runs[1].last})});
   }
 }
 

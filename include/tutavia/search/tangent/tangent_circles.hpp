@@ -22,7 +22,7 @@
 namespace tutavia::detail {
 
 /// The circles of a space, in an order that depends on their places alone: of the safety radius
-/// around obstacle vertices, larger ones around discs. Nodes are as in TangentMap.
+/// around obstacle vertices, larger ones around discs. Nodes are as in TangentVisibilityGraph.
 class TangentCircles {
  public:
   using Node = std::uint32_t;
@@ -42,16 +42,17 @@ class TangentCircles {
   std::size_t size() const { return circles_.size(); }
   const Circle& operator[](std::size_t i) const { return circles_[i]; }
   Node nodes() const { return static_cast<Node>(2 * circles_.size()); }
-  SidedCircle of(Node node) const {
+  OrientedCircle of(Node node) const {
     const Circle& circle = circles_[node / 2];
     return {circle.center, circle.radius, side(node)};
   }
 
-  /// Whether a path may touch a node's circle while it runs in a direction; see TangentMap.
+  /// Whether a path may touch a node's circle while it runs in a direction; see
+  /// TangentVisibilityGraph.
   bool touches(Node node, const Point& direction) const;
-  /// Calls `visit(node)` for the nodes to which there may be a way; see TangentMap.
+  /// Calls `visit(node)` for the nodes to which there may be a way; see TangentVisibilityGraph.
   template <class Visit>
-  void for_each_candidate(const SidedCircle& at, Node from, Visit visit) const;
+  void for_each_candidate(const OrientedCircle& at, Node from, Visit visit) const;
   /// For each circle the index of the one in the same place among others, `none` where it has none.
   std::vector<Node> places_in(const TangentCircles& others) const;
 
@@ -98,7 +99,7 @@ TangentCircles::TangentCircles(const S& space) {
     const bool is_new = i == 0 || before(ends[i - 1], ends[i]);
     const auto edge = static_cast<std::uint32_t>(edges_.size());
     if (is_new) circles_.push_back({ends[i].vertex, ends[i].radius, edge, edge});
-    if (is_null(ends[i].direction)) continue;
+    if (is_zero(ends[i].direction)) continue;
     edges_.push_back(ends[i].direction);
     circles_.back().last_edge = edge + 1;
   }
@@ -125,7 +126,7 @@ inline bool TangentCircles::may_touch(const Circle& circle, int side, const Poin
 }
 
 template <class Visit>
-void TangentCircles::for_each_candidate(const SidedCircle& at, Node from, Visit visit) const {
+void TangentCircles::for_each_candidate(const OrientedCircle& at, Node from, Visit visit) const {
   for (Node i = 0; i < circles_.size(); ++i) {
     const Circle& circle = circles_[i];
     const Point between{circle.center.x() - at.center.x(), circle.center.y() - at.center.y()};

@@ -12,7 +12,7 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// PointIndex: the nearest of many points, while they become more.
+/// PointBuckets: the nearest of many points, while they become more.
 
 namespace tutavia::detail {
 
@@ -20,7 +20,7 @@ namespace tutavia::detail {
 /// smaller, whenever the points have become four times as many, so that adding a point takes
 /// constant time, and so does a question where the points are spread evenly. Of equally near points
 /// the one with the lower number is nearer: answers depend on the points alone.
-class PointIndex {
+class PointBuckets {
  public:
   using Index = std::uint32_t;
   static constexpr Index none = std::numeric_limits<Index>::max();
@@ -35,7 +35,7 @@ class PointIndex {
   };
 
   /// Forgets all points. \pre bounds are finite
-  void begin(const Box& bounds) {
+  void reset(const Box& bounds) {
     bounds_ = bounds;
     entries_.clear();
     divide(1);
@@ -58,7 +58,7 @@ class PointIndex {
 
   /// \pre not empty
   Index nearest(const Point& p) const {
-    const Place place(*this, p);
+    const BucketPosition place(*this, p);
     Neighbour best{std::numeric_limits<double>::infinity(), none};
     for (int ring = 0;; ++ring) {
       for_each_in_ring(place, ring, [&](const Neighbour& neighbour) {
@@ -72,7 +72,7 @@ class PointIndex {
   void within(const Point& p, double distance, std::vector<Neighbour>& found) const {
     found.clear();
     const double square = distance * distance;
-    const Place place(*this, p);
+    const BucketPosition place(*this, p);
     const int left = column(p.x() - distance), right = column(p.x() + distance);
     const int bottom = row(p.y() - distance), top = row(p.y() + distance);
     for (int y = bottom; y <= top; ++y) {
@@ -85,7 +85,7 @@ class PointIndex {
   /// The k points nearest to p, or all where there are fewer, in no particular order.
   void k_nearest(const Point& p, std::size_t k, std::vector<Neighbour>& found) const {
     found.clear();
-    const Place place(*this, p);
+    const BucketPosition place(*this, p);
     for (int ring = 0;; ++ring) {
       for_each_in_ring(place, ring,
                        [&](const Neighbour& neighbour) { found.push_back(neighbour); });
@@ -111,8 +111,8 @@ class PointIndex {
   };
 
   /// A point and its bucket.
-  struct Place {
-    Place(const PointIndex& index, const Point& p)
+  struct BucketPosition {
+    BucketPosition(const PointBuckets& index, const Point& p)
         : x(p.x()), y(p.y()), column(index.column(x)), row(index.row(y)) {}
     double x, y;
     int column, row;
@@ -151,7 +151,8 @@ class PointIndex {
   }
 
   template <class Visit>
-  void for_each_in_row(const Place& place, int row, int left, int right, const Visit& visit) const {
+  void for_each_in_row(const BucketPosition& place, int row, int left, int right,
+                       const Visit& visit) const {
     for (std::size_t b = bucket(left, row), end = bucket(right, row); b <= end; ++b) {
       for (Index i = first_[b]; i != none; i = entries_[i].next) {
         const Entry& entry = entries_[i];
@@ -163,7 +164,7 @@ class PointIndex {
 
   /// Visits the buckets that are `ring` steps away.
   template <class Visit>
-  void for_each_in_ring(const Place& place, int ring, const Visit& visit) const {
+  void for_each_in_ring(const BucketPosition& place, int ring, const Visit& visit) const {
     const int left = place.column - ring, right = place.column + ring;
     const int from = std::max(left, 0), to = std::min(right, columns_ - 1);
     const int bottom = std::max(place.row - ring, 0), top = std::min(place.row + ring, rows_ - 1);
@@ -178,7 +179,7 @@ class PointIndex {
   }
 
   /// The square of how far all points are that lie beyond so many rings; infinity where none can.
-  double square_beyond(const Place& place, int ring) const {
+  double square_beyond(const BucketPosition& place, int ring) const {
     double gap = std::numeric_limits<double>::infinity();
     const auto look = [&](double x, double low, int slot, int count) {
       if (slot - ring > 0) gap = std::min(gap, x - (low + side_ * (slot - ring)));

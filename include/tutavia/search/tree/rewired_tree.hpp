@@ -31,14 +31,14 @@ enum class Neighbours {
 };
 
 /// Memory of a search that grows one tree with rewiring, and the tree that it grew last.
-struct OptimalTreeScratch : TreeScratch {
+struct RewiredTreeScratch : TreeScratch {
   /// A node near a new one: how far, and what the way through it costs at least.
   struct Near {
     double length, least_cost;
     SearchTree::Node node;
   };
 
-  std::vector<PointIndex::Neighbour> found;
+  std::vector<PointBuckets::Neighbour> found;
   std::vector<Near> near;
 };
 
@@ -79,18 +79,18 @@ struct LengthCost {
 
 /// One tree of RRT*, its edges priced by an EdgeCost.
 template <EdgeCost Price, FreeSpace S, Observer O>
-class OptimalTree {
+class RewiredTree {
  public:
   using Node = SearchTree::Node;
 
-  OptimalTree(TreeGrowth<S, O>& growth, const NeighbourRule& rule, const Price& edge_cost,
-              OptimalTreeScratch& scratch)
+  RewiredTree(TreeGrowth<S, O>& growth, const NeighbourRule& rule, const Price& edge_cost,
+              RewiredTreeScratch& scratch)
       : growth_(growth),
         rule_(rule),
         edge_cost_(edge_cost),
         scratch_(scratch),
         tree_(scratch.tree) {
-    tree_.begin(growth.bounds(), growth.query().start);
+    tree_.reset(growth.bounds(), growth.query().start);
   }
 
   bool has_path() const { return goal_ != SearchTree::none; }
@@ -167,8 +167,8 @@ class OptimalTree {
     }
   }
 
-  OptimalTreeScratch::Near* cheapest_below(double cost) {
-    OptimalTreeScratch::Near* cheapest = nullptr;
+  RewiredTreeScratch::Near* cheapest_below(double cost) {
+    RewiredTreeScratch::Near* cheapest = nullptr;
     for (auto& candidate : scratch_.near) {
       const bool better = cheapest == nullptr ? candidate.least_cost < cost
                           : candidate.least_cost != cheapest->least_cost
@@ -180,7 +180,7 @@ class OptimalTree {
   }
 
   /// Makes a new node the parent of one near it, if that is better.
-  void rewire(const OptimalTreeScratch::Near& neighbour, Node node, const Point& p) {
+  void rewire(const RewiredTreeScratch::Near& neighbour, Node node, const Point& p) {
     const double cost = tree_.cost(node), known = tree_.cost(neighbour.node);
     if (!(cost + neighbour.length < known)) return;
     const Point to = tree_.position(neighbour.node);
@@ -192,15 +192,15 @@ class OptimalTree {
   TreeGrowth<S, O>& growth_;
   NeighbourRule rule_;
   const Price& edge_cost_;
-  OptimalTreeScratch& scratch_;
+  RewiredTreeScratch& scratch_;
   SearchTree& tree_;
   Node goal_ = SearchTree::none;
   double best_ = infinity;
 };
 
-/// The options of a search with an `OptimalTree`; what they are, see RrtStar.
+/// The options of a search with an `RewiredTree`; what they are, see RrtStar.
 template <class T>
-concept OptimalTreeOptions = TreeOptions<T> && requires(const T& options) {
+concept RewiredTreeOptions = TreeOptions<T> && requires(const T& options) {
   { options.goal_bias } -> std::same_as<const double&>;
   { options.neighbours } -> std::same_as<const Neighbours&>;
   { options.rewire_factor } -> std::same_as<const double&>;
@@ -216,10 +216,10 @@ concept Sampler = requires(const F& sample, Arguments&... arguments) {
 /// Grows a tree towards as many samples as `options.iterations` and takes its best path, also where
 /// the budget ends before they do. From the first path on the samples are `sample(cost of the best
 /// path)`, before that uniform with `options.goal_bias`.
-template <OptimalTreeOptions Options, EdgeCost Price, FreeSpace S, Observer O,
+template <RewiredTreeOptions Options, EdgeCost Price, FreeSpace S, Observer O,
           Sampler<double> Sample>
-Expected<Route, Failure> grow_route(OptimalTree<Price, S, O>& tree, TreeGrowth<S, O>& growth,
-                                    const Options& options, const Sample& sample) {
+Expected<Route, Failure> grow(RewiredTree<Price, S, O>& tree, TreeGrowth<S, O>& growth,
+                              const Options& options, const Sample& sample) {
   Failure end{.code = PlanError::budget_exhausted};
   for (std::uint32_t i = 0; i < options.iterations; ++i) {
     if (auto next = growth.next_iteration(); !next) {
@@ -238,8 +238,8 @@ Expected<Route, Failure> grow_route(OptimalTree<Price, S, O>& tree, TreeGrowth<S
   return route;
 }
 
-/// Checks the options of a search with an `OptimalTree`, and the query.
-template <OptimalTreeOptions Options, FreeSpace S>
+/// Checks the options of a search with an `RewiredTree`, and the query.
+template <RewiredTreeOptions Options, FreeSpace S>
 Expected<void, Failure> check_optimal_growth(const Options& options, const S& space,
                                              const Query& query) {
   const NeighbourRule rule{options.neighbours, options.rewire_factor};
@@ -249,19 +249,19 @@ Expected<void, Failure> check_optimal_growth(const Options& options, const S& sp
 
 /// A search for the shortest path. From the first path on the samples are `sample(growth, cost of
 /// the best path)`.
-template <OptimalTreeOptions Options, FreeSpace S, Observer O,
+template <RewiredTreeOptions Options, FreeSpace S, Observer O,
           Sampler<TreeGrowth<S, O>, double> Sample>
-Expected<Route, Failure> search_with_optimal_tree(const Options& options, const S& space,
-                                                  const Query& query, OptimalTreeScratch& scratch,
+Expected<Route, Failure> search_with_rewired_tree(const Options& options, const S& space,
+                                                  const Query& query, RewiredTreeScratch& scratch,
                                                   O& observer, const Sample& sample) {
   if (auto valid = check_optimal_growth(options, space, query); !valid) {
     return std::move(valid).unexpected();
   }
   TreeGrowth growth(space, query, options.step, observer);
   const LengthCost length;
-  OptimalTree tree(growth, {options.neighbours, options.rewire_factor}, length, scratch);
+  RewiredTree tree(growth, {options.neighbours, options.rewire_factor}, length, scratch);
   if (auto straight = straight_route(space, query)) return std::move(*straight);
-  return grow_route(tree, growth, options, [&](double cost) { return sample(growth, cost); });
+  return grow(tree, growth, options, [&](double cost) { return sample(growth, cost); });
 }
 
 }  // namespace tutavia::detail

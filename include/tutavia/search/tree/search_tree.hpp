@@ -21,12 +21,12 @@ namespace tutavia::detail {
 /// one tree to the next.
 class SearchTree {
  public:
-  using Node = PointIndex::Index;
-  static constexpr Node none = PointIndex::none;
+  using Node = PointBuckets::Index;
+  static constexpr Node none = PointBuckets::none;
 
   /// Starts again from a root in the bounds.
-  void begin(const Box& bounds, const Point& root) {
-    points_.begin(bounds);
+  void reset(const Box& bounds, const Point& root) {
+    points_.reset(bounds);
     links_.clear();
     points_.add(root);
     links_.push_back({0, 0, none, none, none, none});
@@ -36,7 +36,7 @@ class SearchTree {
   void clear() { links_.clear(); }
 
   std::size_t size() const { return links_.size(); }
-  const PointIndex& points() const { return points_; }
+  const PointBuckets& points() const { return points_; }
   Point position(Node node) const { return points_[node]; }
   /// Of the way from the root.
   double cost(Node node) const { return links_[node].cost; }
@@ -78,13 +78,13 @@ class SearchTree {
   }
 
  private:
-  struct Links {
+  struct EndpointLinks {
     double cost, edge_cost;
     Node parent, child, next, previous;  // next and previous: children of the same parent
   };
 
   void link(Node node, Node parent) {
-    Links& links = links_[node];
+    EndpointLinks& links = links_[node];
     Node& first = links_[parent].child;
     links.parent = parent;
     links.previous = none;
@@ -94,7 +94,7 @@ class SearchTree {
   }
 
   void unlink(Node node) {
-    const Links& links = links_[node];
+    const EndpointLinks& links = links_[node];
     TUTAVIA_ASSERT(links.parent != none);
     if (links.next != none) links_[links.next].previous = links.previous;
     (links.previous != none ? links_[links.previous].next : links_[links.parent].child) =
@@ -108,8 +108,8 @@ class SearchTree {
     return current == top ? none : links_[current].next;
   }
 
-  PointIndex points_;
-  std::vector<Links> links_;
+  PointBuckets points_;
+  std::vector<EndpointLinks> links_;
 };
 
 }  // namespace tutavia::detail

@@ -84,7 +84,7 @@ std::optional<Route> straight_route(const S& space, const Query& query) {
 }
 
 /// The point on the way to a target that is at most a step away: the target itself where it is.
-inline Point steered(const Point& from, const Point& target, double step) {
+inline Point steer(const Point& from, const Point& target, double step) {
   const double gap = distance(from, target);
   return gap <= step ? target : lerp(from, target, step / gap);
 }
@@ -125,7 +125,7 @@ class TreeGrowth {
   /// A step from a node towards a target, if that leads to another point and is free.
   std::optional<Point> step_towards(const SearchTree& tree, SearchTree::Node from,
                                     const Point& target) {
-    const Point start = tree.position(from), end = steered(start, target, step_);
+    const Point start = tree.position(from), end = steer(start, target, step_);
     if (end == start || !space().segment_free(start, end)) return std::nullopt;
     return end;
   }

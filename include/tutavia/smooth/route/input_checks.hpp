@@ -63,7 +63,7 @@ Expected<std::vector<Point>, Failure> free_polyline(const S& space, const Curve&
     return Unexpected{straight.error()};
   }
   if (const auto free = check_free(space, curve, budget); !free) return Unexpected{free.error()};
-  return joints(curve);
+  return waypoints(curve);
 }
 
 /// The same with the nodes that a grid path passes: every leg between two is proved.
@@ -75,7 +75,7 @@ Expected<std::vector<Point>, Failure> free_nodes(const S& space, const Curve& cu
   }
   const auto curve_of_steps = free_steps(space, curve, budget);
   if (!curve_of_steps) return Unexpected{curve_of_steps.error()};
-  return joints(*curve_of_steps);
+  return waypoints(*curve_of_steps);
 }
 
 }  // namespace tutavia::detail

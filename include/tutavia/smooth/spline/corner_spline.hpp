@@ -18,8 +18,8 @@
 
 namespace tutavia::detail {
 
-/// A cubic B-spline whose control points are the joints of a free polyline and, beside joints,
-/// helpers on the legs.
+/// A cubic B-spline whose control points are the waypoints of a free polyline and, beside
+/// waypoints, helpers on the legs.
 ///
 /// A helper lies at the joint's `reach`, or a third of the leg where that is less, and holds the
 /// spline to the legs: the shorter the reach, the tighter the corner. Joints without one have the
@@ -29,20 +29,21 @@ namespace tutavia::detail {
 /// is the polyline.
 class CornerSpline {
  public:
-  static constexpr double no_helper = std::numeric_limits<double>::infinity();
+  static constexpr double no_auxiliary_points = std::numeric_limits<double>::infinity();
 
   /// Joints equal to the one before count once. \pre one joint or more
-  CornerSpline(std::vector<Point> joints, double reach) : joints_(std::move(joints)) {
-    joints_.erase(std::unique(joints_.begin(), joints_.end()), joints_.end());
-    reaches_.assign(joints_.size(), reach);
-    halvings_.assign(joints_.size(), 0);
+  CornerSpline(std::vector<Point> waypoints, double reach) : waypoints_(std::move(waypoints)) {
+    waypoints_.erase(std::unique(waypoints_.begin(), waypoints_.end()), waypoints_.end());
+    reaches_.assign(waypoints_.size(), reach);
+    halvings_.assign(waypoints_.size(), 0);
   }
 
-  /// The proved spline, at the space's safety radius, with the joints for ends and no longer than
-  /// the polyline. O(n) for n joints. Errors: what the budget says. \pre every leg is proved
+  /// The proved spline, at the space's safety radius, with the waypoints for ends and no longer
+  /// than the polyline. O(n) for n waypoints. Errors: what the budget says. \pre every leg is
+  /// proved
   template <ClearanceSpace S>
   Expected<Curve, Failure> prove(const S& space, const Budget& budget) {
-    for (int round = 0; joints_.size() > 2 && round < 3 * max_halvings; ++round) {
+    for (int round = 0; waypoints_.size() > 2 && round < 3 * max_halvings; ++round) {
       if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
       place_control_points();
       const std::vector<Part> parts = this->parts();
@@ -53,7 +54,7 @@ class CornerSpline {
         }
         proved = false;
         // Late in the day corners go at once.
-        for (std::size_t i : part.joints) shorten(i, round >= 2 * max_halvings);
+        for (std::size_t i : part.waypoints) shorten(i, round >= 2 * max_halvings);
       }
       if (!proved) continue;
       Curve curve;
@@ -61,7 +62,7 @@ class CornerSpline {
       for (const Part& part : parts) curve.push_back(part.piece);
       return curve;
     }
-    return Curve::polyline(joints_);
+    return Curve::polyline(waypoints_);
   }
 
  private:
@@ -73,14 +74,14 @@ class CornerSpline {
     std::size_t first_leg, last_leg;
     bool is_joint;
   };
-  /// A piece, and the joints that can be tightened where it cannot be proved.
+  /// A piece, and the waypoints that can be tightened where it cannot be proved.
   struct Part {
     Piece piece;
-    std::vector<std::size_t> joints;
+    std::vector<std::size_t> waypoints;
   };
 
-  std::size_t legs() const { return joints_.size() - 1; }
-  double leg_length(std::size_t i) const { return distance(joints_[i], joints_[i + 1]); }
+  std::size_t legs() const { return waypoints_.size() - 1; }
+  double leg_length(std::size_t i) const { return distance(waypoints_[i], waypoints_[i + 1]); }
 
   void add(const Point& p, const Control& control) {
     points_.push_back(p);
@@ -91,22 +92,24 @@ class CornerSpline {
     points_.clear();
     controls_.clear();
     // Three points are too few for a cubic spline: the middles of both legs join them.
-    const bool too_few = joints_.size() == 3 && reaches_[0] == no_helper && reaches_[1] > 0;
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const bool too_few =
+        waypoints_.size() == 3 && reaches_[0] == no_auxiliary_points && reaches_[1] > 0;
+    for (std::size_t i = 0; i < waypoints_.size(); ++i) {
       const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i, legs() - 1);
       const Control joint{i, before, after, true};
       const double reach = reaches_[i];
       if (reach == 0) {
-        for (int k = 0; k < 3; ++k) add(joints_[i], joint);
+        for (int k = 0; k < 3; ++k) add(waypoints_[i], joint);
         continue;
       }
-      const bool has_helpers = reach != no_helper || (too_few && i == 1);
+      const bool has_helpers = reach != no_auxiliary_points || (too_few && i == 1);
       const auto helper = [&](std::size_t leg, std::size_t from, std::size_t to) {
         const double length = leg_length(leg), most = too_few ? length / 2 : length / 3;
-        add(lerp(joints_[from], joints_[to], std::min(reach, most) / length), {i, leg, leg, false});
+        add(lerp(waypoints_[from], waypoints_[to], std::min(reach, most) / length),
+            {i, leg, leg, false});
       };
       if (has_helpers && i > 0) helper(before, i, i - 1);
-      add(joints_[i], joint);
+      add(waypoints_[i], joint);
       if (has_helpers && i < legs()) helper(after, i, i + 1);
     }
   }
@@ -114,7 +117,7 @@ class CornerSpline {
   std::vector<Part> parts() const {
     std::vector<Part> parts;
     const std::vector<CubicBezier> pieces = bezier_pieces(points_);
-    const std::size_t none = joints_.size();
+    const std::size_t none = waypoints_.size();
     std::size_t straight = none;  // the leg of the segment that is last
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const auto first = controls_.begin() + static_cast<std::ptrdiff_t>(k);
@@ -126,7 +129,7 @@ class CornerSpline {
       if (from > to) {
         parts.push_back({piece, {}});
         for (auto c = first; c != first + 4; ++c) {
-          if (c->is_joint) parts.back().joints.push_back(c->joint);
+          if (c->is_joint) parts.back().waypoints.push_back(c->joint);
         }
         straight = none;
       } else if (straight != none && from <= straight && straight <= to) {
@@ -144,7 +147,7 @@ class CornerSpline {
     if (i == 0 || i == legs() || reaches_[i] == 0) return;
     if (at_once || halvings_[i] == max_halvings) {
       reaches_[i] = 0;
-    } else if (reaches_[i] == no_helper) {
+    } else if (reaches_[i] == no_auxiliary_points) {
       reaches_[i] = std::min(leg_length(i - 1), leg_length(i)) / 3;
     } else {
       // From where the helpers are: a reach of more than a third of both legs is none.
@@ -153,7 +156,7 @@ class CornerSpline {
     }
   }
 
-  std::vector<Point> joints_;
+  std::vector<Point> waypoints_;
   std::vector<double> reaches_;
   std::vector<int> halvings_;
   std::vector<Point> points_;

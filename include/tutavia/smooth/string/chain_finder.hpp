@@ -27,7 +27,7 @@ namespace tutavia::detail {
 enum class PlaceInRing { inside, on, outside };
 
 /// Where a point lies of a closed polyline, by the even-odd rule.
-inline PlaceInRing place_in(const std::vector<Point>& ring, const Point& p) {
+inline PlaceInRing locate(const std::vector<Point>& ring, const Point& p) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
@@ -49,7 +49,7 @@ class ChainFinder {
       : space_(space),
         string_(string),
         budget_(budget),
-        slack_(space.slack()),
+        slack_(space.distance_error_bound()),
         radius_(passing_radius(space, 0)) {}
 
   const Chain& chain() const { return chain_; }
@@ -62,16 +62,16 @@ class ChainFinder {
       swept_.push_back(string_[i].out.from);
       swept_.push_back(string_[i].out.to);
     }
-    if (const auto straight = bitangent(string_[a].circle, string_[c].circle)) {
+    if (const auto straight = tangent_line(string_[a].circle, string_[c].circle)) {
       swept_.insert(swept_.end(), {straight->to, straight->from});
     }
     obstacles_.clear();
     near_.clear();
-    const Band band(swept_, string_.way_to(c).to);
+    const OrientedBox band(swept_, string_.way_to(c).to);
     band.for_each_box(radius_, [&](const Box& box) {
-      for_each_circle(box, side, [&](const SidedCircle& circle) {
+      for_each_circle(box, side, [&](const OrientedCircle& circle) {
         if (band.is_far(circle.center, circle.radius)) return;
-        const bool is_inside = place_in(swept_, circle.center) == PlaceInRing::inside;
+        const bool is_inside = locate(swept_, circle.center) == PlaceInRing::inside;
         (is_inside ? obstacles_ : near_).push_back(circle);
       });
     });
@@ -81,8 +81,8 @@ class ChainFinder {
   /// Makes obstacles of the circles beside that come into the chain's ways; whether there are any.
   bool add_blocking(std::size_t a, std::size_t c) {
     const std::size_t known = obstacles_.size();
-    for (const SidedCircle& circle : near_) {
-      for (const Bitangent& way : chain_.ways) {
+    for (const OrientedCircle& circle : near_) {
+      for (const TangentLine& way : chain_.ways) {
         if (circle.radius > 0 && blocks(circle, Segment{way.from, way.to})) {
           obstacles_.push_back(circle);
           break;
@@ -99,20 +99,21 @@ class ChainFinder {
   bool wrap(std::size_t a, std::size_t c, int side) {
     chain_.circles.clear();
     chain_.ways.clear();
-    SidedCircle from = string_[a].circle;
-    const auto straight = bitangent(from, string_[c].circle);
+    OrientedCircle from = string_[a].circle;
+    const auto straight = tangent_line(from, string_[c].circle);
     Point direction = straight ? straight->direction : string_[a].out.direction;
     std::size_t at = obstacles_.size();
     while (chain_.ways.size() <= 2 * obstacles_.size() + 1) {
       if (chain_.ways.size() % 16 == 15 && budget_.exceeded()) return false;
       double least = std::numeric_limits<double>::infinity();
-      std::optional<Bitangent> best;
+      std::optional<TangentLine> best;
       std::size_t chosen = obstacles_.size();
       for (std::size_t i = 0; i <= obstacles_.size(); ++i) {
         if (i == at && i < obstacles_.size()) continue;
-        const auto way = bitangent(from, i < obstacles_.size() ? obstacles_[i] : string_[c].circle);
+        const auto way =
+            tangent_line(from, i < obstacles_.size() ? obstacles_[i] : string_[c].circle);
         if (!way) continue;
-        double turn = side * deflection(direction, way->direction);
+        double turn = side * turn_angle(direction, way->direction);
         const bool is_first = straight && chain_.ways.empty();
         if (!is_first && turn < -1e-6) turn += 2 * std::numbers::pi;
         if (turn < least - 1e-12 || (turn < least + 1e-12 && way->length < best->length)) {
@@ -138,15 +139,15 @@ class ChainFinder {
     double before = 0, after = 0;
     for (std::size_t i = string_[a].next; i != c; i = string_[i].next) {
       before += string_[i].is_pin
-                    ? deflection(string_.way_to(i).direction, string_[i].out.direction)
+                    ? turn_angle(string_.way_to(i).direction, string_[i].out.direction)
                     : string_[i].turn;
     }
     Point direction = string_[a].out.direction;
-    for (const Bitangent& way : chain_.ways) {
-      after += deflection(direction, way.direction);
+    for (const TangentLine& way : chain_.ways) {
+      after += turn_angle(direction, way.direction);
       direction = way.direction;
     }
-    after += deflection(direction, string_.way_to(c).direction);
+    after += turn_angle(direction, string_.way_to(c).direction);
     // A way straight back may count as a turn to either side.
     const double gap = std::abs(before - after);
     return gap < 1e-6 || (gap > 2 * std::numbers::pi - 1e-6 && side * before > 0 &&
@@ -159,7 +160,7 @@ class ChainFinder {
     for_each_new_piece(a, c, [&](const auto& piece) {
       if (is_proved_free(space_, piece)) return;
       proved = false;
-      for_each_circle(piece.box(), side, [&](const SidedCircle& circle) {
+      for_each_circle(piece.box(), side, [&](const OrientedCircle& circle) {
         if (blocks(circle, piece)) obstacles_.push_back(circle);
       });
     });
@@ -173,13 +174,13 @@ class ChainFinder {
   void for_each_circle(const Box& box, int side, Visit visit) const {
     space_.for_each_feature(box.inflated(radius_), [&](const Segment& core, double radius) {
       // Every vertex is the first end of an edge.
-      visit(SidedCircle{core.a, passing_radius(space_, radius), side});
+      visit(OrientedCircle{core.a, passing_radius(space_, radius), side});
     });
   }
 
   /// Drops obstacles that count twice, are bends already or lie within others.
   void filter_obstacles(std::size_t a, std::size_t c) {
-    const auto before = [](const SidedCircle& p, const SidedCircle& q) {
+    const auto before = [](const OrientedCircle& p, const OrientedCircle& q) {
       if (p.center.x() != q.center.x()) return p.center.x() < q.center.x();
       if (p.center.y() != q.center.y()) return p.center.y() < q.center.y();
       return p.radius < q.radius;
@@ -188,11 +189,11 @@ class ChainFinder {
     obstacles_.erase(std::unique(obstacles_.begin(), obstacles_.end(), same_circle),
                      obstacles_.end());
     double largest = 0;
-    for (const SidedCircle& circle : obstacles_) largest = std::max(largest, circle.radius);
-    const auto is_within = [](const SidedCircle& p, const SidedCircle& q) {
+    for (const OrientedCircle& circle : obstacles_) largest = std::max(largest, circle.radius);
+    const auto is_within = [](const OrientedCircle& p, const OrientedCircle& q) {
       return p.radius < q.radius && distance(p.center, q.center) <= q.radius - p.radius;
     };
-    const auto is_idle = [&](const SidedCircle& circle) {
+    const auto is_idle = [&](const OrientedCircle& circle) {
       for (std::size_t i = a; i != string_[c].next; i = string_[i].next) {
         if (circle.center == string_[i].circle.center || is_within(circle, string_[i].circle)) {
           return true;
@@ -200,11 +201,11 @@ class ChainFinder {
       }
       return circle.radius < largest &&
              std::any_of(obstacles_.begin(), obstacles_.end(),
-                         [&](const SidedCircle& other) { return is_within(circle, other); });
+                         [&](const OrientedCircle& other) { return is_within(circle, other); });
     };
     kept_.clear();
     std::copy_if(obstacles_.begin(), obstacles_.end(), std::back_inserter(kept_),
-                 [&](const SidedCircle& circle) { return !is_idle(circle); });
+                 [&](const OrientedCircle& circle) { return !is_idle(circle); });
     std::swap(obstacles_, kept_);
   }
 
@@ -212,11 +213,11 @@ class ChainFinder {
   /// A and C as they become where they grow.
   template <class Visit>
   void for_each_new_piece(std::size_t a, std::size_t c, Visit visit) const {
-    const auto arcs = [&](const SidedCircle& circle, const Point& in, const Point& out,
+    const auto arcs = [&](const OrientedCircle& circle, const Point& in, const Point& out,
                           double turn) { for_each_arc(circle, in, out, turn, slack_, visit); };
-    for (const Bitangent& way : chain_.ways) visit(Segment{way.from, way.to});
+    for (const TangentLine& way : chain_.ways) visit(Segment{way.from, way.to});
     for (std::size_t i = 0; i < chain_.circles.size(); ++i) {
-      const Bitangent &in = chain_.ways[i], &out = chain_.ways[i + 1];
+      const TangentLine &in = chain_.ways[i], &out = chain_.ways[i + 1];
       arcs(chain_.circles[i], in.to, out.from, chain_.turn(i));
     }
     const auto grown = [&](std::size_t i, const Point& in, const Point& out, double turn) {
@@ -230,26 +231,27 @@ class ChainFinder {
 
   /// Whether a circle comes into a piece. Circles that are points do not; what blocks the string
   /// then may be one that it touched all the time.
-  bool blocks(const SidedCircle& circle, const Segment& way) const {
-    if (circle.radius == 0) return place_in(swept_, circle.center) == PlaceInRing::on;
+  bool blocks(const OrientedCircle& circle, const Segment& way) const {
+    if (circle.radius == 0) return locate(swept_, circle.center) == PlaceInRing::on;
     const Point along{way.b.x() - way.a.x(), way.b.y() - way.a.y()};
     const Point across{circle.center.x() - way.a.x(), circle.center.y() - way.a.y()};
     return circle.side * cross(along, across) >= 0 &&
            distance(circle.center, way) < circle.radius - slack_;
   }
-  bool blocks(const SidedCircle& circle, const Arc& arc) const {
-    return approach(arc, Segment{circle.center, circle.center}).distance < circle.radius - slack_;
+  bool blocks(const OrientedCircle& circle, const Arc& arc) const {
+    return closest_approach(arc, Segment{circle.center, circle.center}).distance <
+           circle.radius - slack_;
   }
 
   const S& space_;
   const StringBends& string_;
   const Budget& budget_;
   double slack_;
-  double radius_;                       // of the circles around vertices
-  std::vector<Point> swept_;            // the border of what the string crosses, closed
-  std::vector<SidedCircle> obstacles_;  // circles within it
-  std::vector<SidedCircle> near_;       // circles beside it
-  std::vector<SidedCircle> kept_;
+  double radius_;                          // of the circles around vertices
+  std::vector<Point> swept_;               // the border of what the string crosses, closed
+  std::vector<OrientedCircle> obstacles_;  // circles within it
+  std::vector<OrientedCircle> near_;       // circles beside it
+  std::vector<OrientedCircle> kept_;
   Chain chain_;
 };
 

@@ -30,14 +30,14 @@ class SpiralBends {
   };
 
   struct Bend {
-    SidedCircle core;  // as it was
-    double turn;       // left positive [rad]
-    double margin;     // [m]
-    double radius;     // of the circle that the ways touch [m]
+    OrientedCircle core;  // as it was
+    double turn;          // left positive [rad]
+    double margin;        // [m]
+    double radius;        // of the circle that the ways touch [m]
     std::size_t previous, next;
     bool is_stale = true;  // the way to the next bend, and the shape
     bool may_lift = true;
-    Bitangent out{};    // the way to the next bend
+    TangentLine out{};  // the way to the next bend
     double wanted = 0;  // leg of the shape that would be taken if the ways were long enough
     BendShape shape{};
     int tries = 0;
@@ -51,14 +51,14 @@ class SpiralBends {
 
   Bend& operator[](std::size_t i) { return bends_[i]; }
   const Bend& operator[](std::size_t i) const { return bends_[i]; }
-  SidedCircle circle(std::size_t i) const {
+  OrientedCircle circle(std::size_t i) const {
     return {bends_[i].core.center, bends_[i].radius, bends_[i].core.side};
   }
   bool is_end(std::size_t i) const { return bends_[i].previous == none || bends_[i].next == none; }
   /// From the bend before.
-  const Bitangent& way_to(std::size_t i) const { return bends_[bends_[i].previous].out; }
+  const TangentLine& way_to(std::size_t i) const { return bends_[bends_[i].previous].out; }
   /// The turn to the side that the circle is on [rad].
-  double wrap(std::size_t i) const { return bends_[i].core.side * bends_[i].turn; }
+  double turn_magnitude(std::size_t i) const { return bends_[i].core.side * bends_[i].turn; }
   /// Spirals may come a little less near than the old circle, so that few looks prove them.
   WidenedBend widened(std::size_t i) const {
     const Bend& bend = bends_[i];
@@ -97,8 +97,8 @@ class SpiralBends {
       // and one that a pair of them touches the old circle with.
       double wanted = least + bend.margin;
       const WidenedBend before = widened(i);
-      if (wrap(i) < WidenedBend::widest_pair) {
-        const double tangent = std::cos(wrap(i) / 2);
+      if (turn_magnitude(i) < WidenedBend::widest_pair) {
+        const double tangent = std::cos(turn_magnitude(i) / 2);
         const double with_pair = (least * before.unit_pair().drop + before.inner_radius) * tangent;
         wanted = std::min(wanted, with_pair * (1 + 1e-3));
       }
@@ -153,11 +153,11 @@ class SpiralBends {
   /// before it.
   Point last(std::size_t i) const {
     if (is_end(i)) return bends_[i].core.center;
-    return advance(bends_[i].out.from, bends_[i].shape.leg, bends_[i].out.direction);
+    return offset_along(bends_[i].out.from, bends_[i].shape.leg, bends_[i].out.direction);
   }
   Point first(std::size_t i) const {
     if (is_end(i)) return bends_[i].core.center;
-    const Point begin = advance(way_to(i).to, -bends_[i].shape.leg, way_to(i).direction);
+    const Point begin = offset_along(way_to(i).to, -bends_[i].shape.leg, way_to(i).direction);
     const Point end = last(bends_[i].previous);
     return distance(begin, end) <= slack_ ? end : begin;
   }
@@ -194,8 +194,8 @@ class SpiralBends {
     Point direction = Point::Zero();
     for (const Piece& piece : curve.pieces()) {
       if (const Arc* arc = piece.get_if<Arc>()) {
-        if (!is_null(direction)) {
-          const double turn = deflection(direction, arc->start_direction());
+        if (!is_zero(direction)) {
+          const double turn = turn_angle(direction, arc->start_direction());
           had_corner_ = had_corner_ || std::abs(turn) > 1e-6;
         }
         const Bend& last = bends_.back();
@@ -208,7 +208,7 @@ class SpiralBends {
         }
         direction = arc->end_direction();
       } else if (const Segment& way = *piece.get_if<Segment>(); way.length() > slack_) {
-        const double turn = is_null(direction) ? 0 : deflection(direction, way.start_direction());
+        const double turn = is_zero(direction) ? 0 : turn_angle(direction, way.start_direction());
         if (std::abs(turn) > 1e-6) add(way.a, 0, turn);
         direction = way.end_direction();
       }

@@ -28,13 +28,13 @@ namespace tutavia::detail {
 /// then it is an arc of the old circle. So do the bends at both ends of a way that is not proved.
 /// When no margin is left the string is what it was.
 template <ClearanceSpace S>
-class SpiralString {
+class ClothoidString {
  public:
   using Options = SpiralBends::Options;
 
   /// \pre the curve is made of segments and arcs
-  SpiralString(const S& space, const Curve& curve, const Options& options)
-      : space_(space), options_(options), bends_(curve, options, space.slack()) {}
+  ClothoidString(const S& space, const Curve& curve, const Options& options)
+      : space_(space), options_(options), bends_(curve, options, space.distance_error_bound()) {}
 
   /// Makes the circles larger. Fails with `not_proved`, or what the budget says; then there is no
   /// curve.
@@ -69,7 +69,7 @@ class SpiralString {
   }
 
   /// Makes room on the way after bend i, which is not free.
-  void yield_way(std::size_t i) {
+  void relax_edge(std::size_t i) {
     const std::size_t j = bends_[i].next;
     const bool is_back = bends_.unlift(i, j), gives = shrink(i), gives_too = shrink(j);
     if (!is_back && !gives && !gives_too) give_up(i);
@@ -96,10 +96,10 @@ class SpiralString {
     for (std::size_t i = 0; bends_[i].next != none; i = bends_[i].next) {
       const std::size_t j = bends_[i].next;
       if (!bends_[i].is_stale && !bends_[j].is_stale) continue;
-      if (const auto way = bitangent(bends_.circle(i), bends_.circle(j))) {
+      if (const auto way = tangent_line(bends_.circle(i), bends_.circle(j))) {
         bends_[i].out = *way;
       } else {
-        yield_way(i);
+        relax_edge(i);
         fits = false;
       }
     }
@@ -107,9 +107,10 @@ class SpiralString {
     for (std::size_t i = bends_[0].next; bends_[i].next != none; i = bends_[i].next) {
       Bend& bend = bends_[i];
       if (!bend.is_stale) continue;
-      const double turn = deflection(bends_.way_to(i).direction, bend.out.direction);
+      const double turn = turn_angle(bends_.way_to(i).direction, bend.out.direction);
       bend.turn += std::remainder(turn - bend.turn, 2 * std::numbers::pi);
-      if (bends_.wrap(i) > 1e-6 || (!bend.may_lift && bends_.wrap(i) > -1e-6)) continue;
+      if (bends_.turn_magnitude(i) > 1e-6 || (!bend.may_lift && bends_.turn_magnitude(i) > -1e-6))
+        continue;
       fits = false;
       if (bend.may_lift) {  // the string has left this circle
         bends_.lift(i);
@@ -156,7 +157,7 @@ class SpiralString {
       if (!is_proved_free(space_, bends_.rest_of_way(i))) blocked_ways_.push_back(i);
     }
     for (const std::size_t i : blocked_bends_) yield_bend(i);
-    for (const std::size_t i : blocked_ways_) yield_way(i);
+    for (const std::size_t i : blocked_ways_) relax_edge(i);
     return blocked_bends_.empty() && blocked_ways_.empty();
   }
 

@@ -19,14 +19,14 @@ namespace tutavia::detail {
 /// The circles that take the place of bends between two others, A and C, and the tangents from A to
 /// the first ... and on to C.
 struct Chain {
-  std::vector<SidedCircle> circles;
-  std::vector<Bitangent> ways;
+  std::vector<OrientedCircle> circles;
+  std::vector<TangentLine> ways;
 
   /// By how much the string turns around a circle, left positive [rad].
-  double turn(std::size_t i) const { return deflection(ways[i].direction, ways[i + 1].direction); }
+  double turn(std::size_t i) const { return turn_angle(ways[i].direction, ways[i + 1].direction); }
 };
 
-inline bool same_circle(const SidedCircle& a, const SidedCircle& b) {
+inline bool same_circle(const OrientedCircle& a, const OrientedCircle& b) {
   return a.center == b.center && a.radius == b.radius;
 }
 
@@ -37,10 +37,10 @@ class StringBends {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   struct Bend {
-    SidedCircle circle;
+    OrientedCircle circle;
     bool is_pin;
-    double turn;    // around the circle, left positive; may exceed a full turn [rad]
-    Bitangent out;  // to the next bend
+    double turn;      // around the circle, left positive; may exceed a full turn [rad]
+    TangentLine out;  // to the next bend
     std::size_t previous, next;
   };
 
@@ -54,8 +54,8 @@ class StringBends {
       if (i == 0) continue;
       bends_[i - 1].next = i;
       // None between points whose distance vanishes in rounding.
-      const Bitangent nowhere{bends_[i - 1].circle.center, p, {1, 0}, 0};
-      bends_[i - 1].out = bitangent(bends_[i - 1].circle, bends_[i].circle).value_or(nowhere);
+      const TangentLine nowhere{bends_[i - 1].circle.center, p, {1, 0}, 0};
+      bends_[i - 1].out = tangent_line(bends_[i - 1].circle, bends_[i].circle).value_or(nowhere);
     }
     last_ = bends_.size() - 1;
   }
@@ -63,7 +63,7 @@ class StringBends {
   std::size_t last() const { return last_; }
   const Bend& operator[](std::size_t i) const { return bends_[i]; }
   /// From the bend before.
-  const Bitangent& way_to(std::size_t i) const { return bends_[bends_[i].previous].out; }
+  const TangentLine& way_to(std::size_t i) const { return bends_[bends_[i].previous].out; }
   int side_of_turn(std::size_t i) const {
     const double turn =
         bends_[i].is_pin ? cross(way_to(i).direction, bends_[i].out.direction) : bends_[i].turn;
@@ -92,10 +92,10 @@ class StringBends {
 
   /// What A and C turn with a chain between them.
   double turn_after(std::size_t a, const Chain& chain) const {
-    return bends_[a].turn + deflection(bends_[a].out.direction, chain.ways.front().direction);
+    return bends_[a].turn + turn_angle(bends_[a].out.direction, chain.ways.front().direction);
   }
   double turn_before(std::size_t c, const Chain& chain) const {
-    return bends_[c].turn + deflection(chain.ways.back().direction, way_to(c).direction);
+    return bends_[c].turn + turn_angle(chain.ways.back().direction, way_to(c).direction);
   }
 
   /// Whether two bends are pins at one point: the string between them goes out and back again.
@@ -126,7 +126,7 @@ class StringBends {
       before += length_around(i, bends_[i].turn) + bends_[i].out.length;
     }
     double after = length_around(a, turn_a) + length_around(c, turn_c);
-    for (const Bitangent& way : chain.ways) after += way.length;
+    for (const TangentLine& way : chain.ways) after += way.length;
     for (std::size_t i = 0; i < chain.circles.size(); ++i) {
       after += chain.circles[i].radius * std::abs(chain.turn(i));
     }

@@ -22,12 +22,15 @@ namespace tutavia::detail {
 /// (around discs: larger ones). A bend that is not taut is taken out: the string between its
 /// neighbours A and C then runs straight, or around the circles that lie in the way.
 template <FeatureSpace S>
-class PulledString {
+class TautStringSolver {
  public:
-  PulledString(const S& space, const std::vector<Point>& nodes, const Budget& budget)
-      : budget_(budget), slack_(space.slack()), string_(nodes), finder_(space, string_, budget) {}
-  PulledString(const PulledString&) = delete;
-  PulledString& operator=(const PulledString&) = delete;
+  TautStringSolver(const S& space, const std::vector<Point>& nodes, const Budget& budget)
+      : budget_(budget),
+        slack_(space.distance_error_bound()),
+        string_(nodes),
+        finder_(space, string_, budget) {}
+  TautStringSolver(const TautStringSolver&) = delete;
+  TautStringSolver& operator=(const TautStringSolver&) = delete;
 
   /// Pulls until every bend is taut or cannot be pulled in a proved way.
   std::optional<PlanError> pull() {

@@ -36,21 +36,22 @@ struct BendEnd {
 
 /// A bend of a string around a circle that was made larger.
 struct WidenedBend {
-  SidedCircle circle;   ///< that the ways touch
-  double core_radius;   ///< of the circle as it was [m]
-  double inner_radius;  ///< how near spirals may come to its centre [m]
-  double turn;          ///< left positive [rad]
-  bool has_beziers;     ///< cubic Bezier spirals in the place of clothoids; pairs alone
+  OrientedCircle circle;  ///< that the ways touch
+  double core_radius;     ///< of the circle as it was [m]
+  double inner_radius;    ///< how near spirals may come to its centre [m]
+  double turn;            ///< left positive [rad]
+  bool has_beziers;       ///< cubic Bezier spirals in the place of clothoids; pairs alone
 
   /// Bends that turn further have no pair [rad].
   static constexpr double widest_pair = 0.9 * std::numbers::pi;
   /// Spirals that turn by less are no gentler than a jump of the curvature [rad].
   static constexpr double least_turn = 0.01;
 
-  double wrap() const { return circle.side * turn; }
-  /// \pre wrap() < widest_pair
-  SpiralPair unit_pair() const {
-    return has_beziers ? SpiralPair::of_beziers(wrap()) : SpiralPair::of_clothoids(wrap());
+  double turn_magnitude() const { return circle.side * turn; }
+  /// \pre turn_magnitude() < widest_pair
+  ClothoidPair unit_pair() const {
+    return has_beziers ? ClothoidPair::of_beziers(turn_magnitude())
+                       : ClothoidPair::of_clothoids(turn_magnitude());
   }
 
   /// The gentlest shape that takes at most `room` of the ways before and after the bend; an arc
@@ -69,17 +70,18 @@ struct WidenedBend {
 };
 
 inline BendShape WidenedBend::gentlest_shape(double room, double least_radius) const {
-  if (!(circle.radius > core_radius) || !(wrap() > 1e-6)) return arc();
-  if (wrap() < widest_pair) {
-    const SpiralPair pair = unit_pair();
-    const double to_corner = circle.radius / std::cos(wrap() / 2);
-    const double touch = circle.radius * std::tan(wrap() / 2);  // from there to the corner
+  if (!(circle.radius > core_radius) || !(turn_magnitude() > 1e-6)) return arc();
+  if (turn_magnitude() < widest_pair) {
+    const ClothoidPair pair = unit_pair();
+    const double to_corner = circle.radius / std::cos(turn_magnitude() / 2);
+    const double touch =
+        circle.radius * std::tan(turn_magnitude() / 2);  // from there to the corner
     const double radius =
         std::min((to_corner - inner_radius) / pair.drop, (room + touch) / pair.leg);
     // Inside the circle that the ways touch: no longer than its arc.
     const bool is_inside = radius * pair.drop >= to_corner - circle.radius;
     if (radius >= std::max(inner_radius, least_radius) && is_inside) {
-      return {BendShape::Form::pair, radius, wrap() / 2, radius * pair.leg - touch};
+      return {BendShape::Form::pair, radius, turn_magnitude() / 2, radius * pair.leg - touch};
     }
   }
   return has_beziers ? arc() : spirals(room, least_radius);
@@ -91,9 +93,9 @@ inline BendShape WidenedBend::spirals(double room, double least_radius) const {
   const double least = std::max(inner_radius, least_radius);
   // What the centre is moved by is nearly as the square of the turn, and its place along the way
   // as the turn: a few steps of scaling find what fits.
-  double spiral = std::min({wrap() / 2, std::sqrt(6 * (circle.radius / least - 1)), 1.5});
+  double spiral = std::min({turn_magnitude() / 2, std::sqrt(6 * (circle.radius / least - 1)), 1.5});
   for (int k = 0; k < 6 && spiral > least_turn; ++k) {
-    const UnitSpiral unit = UnitSpiral::turning(spiral);
+    const UnitClothoid unit = UnitClothoid::turning(spiral);
     const double radius = circle.radius / (1 + unit.centre.y()), leg = radius * unit.centre.x();
     const double shift = (circle.radius / least - 1) / unit.centre.y();
     const double scale = std::min(std::sqrt(shift), room / leg);
@@ -120,9 +122,9 @@ void WidenedBend::for_each_piece(const BendShape& shape, const BendEnd& in, cons
     return;
   }
   if (has_beziers) {
-    const double leg = shape.leg + circle.radius * std::tan(wrap() / 2);
+    const double leg = shape.leg + circle.radius * std::tan(turn_magnitude() / 2);
     auto pair =
-        bezier_spirals(advance(in.place, leg, in.direction), in.direction, out.direction, leg);
+        bezier_spirals(offset_along(in.place, leg, in.direction), in.direction, out.direction, leg);
     pair[0].points.front() = in.place;
     pair[1].points.back() = out.place;
     visit(pair[0]);

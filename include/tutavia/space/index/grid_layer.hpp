@@ -69,8 +69,8 @@ class GridLayer {
   /// it reaches by a segment for which `segment_free(p, reference point)` holds; to the cell alone
   /// where it lies within `merge` of a reference point.
   template <class SegmentFree>
-  Links links(const Point& p, double merge, const SegmentFree& segment_free) const {
-    Links result;
+  EndpointLinks links(const Point& p, double merge, const SegmentFree& segment_free) const {
+    EndpointLinks result;
     const double delta = frame_.resolution;
     const Cell centre = frame_.nearest_cell(p);
     const auto usable = [&](Cell cell) { return grid_.contains(cell) && grid_.is_free(cell); };

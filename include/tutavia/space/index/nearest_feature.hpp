@@ -45,8 +45,8 @@ class SideTest {
 /// Windows grow from `first_reach` until they hold the nearest feature or, with it, all of
 /// `extent`. Of equally near features the one with the lower numbers is given.
 template <class P, class Features>
-Proximity nearest_feature(const P& piece, double cap, double first_reach, const Box& extent,
-                          const Features& features) {
+NearestObstacle nearest_feature(const P& piece, double cap, double first_reach, const Box& extent,
+                                const Features& features) {
   const Box box = piece.box();
   const SideTest beside(piece);
   double reach = std::min(cap, first_reach);
@@ -55,21 +55,21 @@ Proximity nearest_feature(const P& piece, double cap, double first_reach, const 
     const bool complete =
         reach >= cap || box.inflated(reach).contains(extent) || extent.width() < 0;
     if (complete) reach = cap;
-    Proximity best{reach, 0, Proximity::none, 0};
+    NearestObstacle best{reach, 0, NearestObstacle::none, 0};
     features(reach, [&](const Segment& core, double radius, std::uint32_t obstacle,
                         std::uint32_t edge) {
       if (beside(core, best.distance + radius)) return best.distance;
-      const Approach found = approach(piece, core);
+      const ClosestApproach found = closest_approach(piece, core);
       const double distance = found.distance - radius;
       const bool lower = obstacle != best.obstacle ? obstacle < best.obstacle : edge < best.edge;
       if (distance < best.distance ||
-          (distance == best.distance && lower && best.obstacle != Proximity::none)) {
+          (distance == best.distance && lower && best.obstacle != NearestObstacle::none)) {
         best = {distance, found.parameter, obstacle, edge};
       }
       return best.distance;
     });
-    if (best.obstacle != Proximity::none) return best;
-    if (complete) return {cap, 0, Proximity::none, 0};
+    if (best.obstacle != NearestObstacle::none) return best;
+    if (complete) return {cap, 0, NearestObstacle::none, 0};
     reach = reach > 0 ? std::min(cap, 4 * reach) : cap;
   }
 }

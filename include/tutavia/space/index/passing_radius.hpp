@@ -14,7 +14,7 @@ namespace tutavia::detail {
 template <ClearanceSpace S>
 double passing_radius(const S& space, double radius) {
   if (radius == 0 && space.safety_radius() == 0) return 0;
-  return radius + space.safety_radius() + 4 * space.slack();
+  return radius + space.safety_radius() + 4 * space.distance_error_bound();
 }
 
 }  // namespace tutavia::detail
