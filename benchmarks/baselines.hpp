@@ -304,7 +304,7 @@ class BoostSearch {
       for (std::size_t step = 0; step < tutavia::steps.size(); ++step) {
         if (!grid.can_step(cells_[v], step, tutavia::MovementRule::no_cut)) continue;
         edges.emplace_back(v, vertex_[grid.index(cells_[v] + tutavia::steps[step])]);
-        weights.push_back({tutavia::is_diagonal(step) ? std::numbers::sqrt2 : 1.0});
+        weights.push_back({tutavia::detail::is_diagonal(step) ? std::numbers::sqrt2 : 1.0});
       }
     }
     graph_ =

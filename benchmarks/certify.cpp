@@ -50,7 +50,7 @@ P random_piece(Random& random) {
   if constexpr (std::is_same_v<P, Segment>) {
     return {start, start + along};
   } else {
-    const Point aside = random.uniform(-0.3, 0.3) * perpendicular(along);
+    const Point aside = random.uniform(-0.3, 0.3) * detail::perpendicular(along);
     return {{start, start + along / 3 + aside, start + 2 * along / 3 + aside, start + along}};
   }
 }

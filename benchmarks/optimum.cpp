@@ -89,7 +89,7 @@ bool run_world(const Scene& scene, std::size_t rounds, Row& row) {
   const auto route =
       timed(rounds, astar_us, [&] { return AStar{}.search(space, query, astar, no_observer); });
   if (!route) return false;
-  TangentScratch scratch;
+  detail::TangentScratch scratch;
   const auto optimum = timed(rounds, optimum_us, [&] {
     return TangentGraph{}.search(space, query, scratch, no_observer);
   });

@@ -49,7 +49,7 @@ std::vector<Figures> measure_all(const std::vector<Contender>& contenders,
                                  std::span<const test::PaperTask> tasks, std::size_t rounds) {
   std::vector<Figures> all(contenders.size());
   const auto count = static_cast<double>(tasks.size());
-  std::vector<AnyScratch> scratch(contenders.size());
+  std::vector<detail::AnyScratch> scratch(contenders.size());
   NoObserver no_observer;
   for (const test::PaperTask& task : tasks) {
     std::vector<double> least(contenders.size(), std::numeric_limits<double>::infinity());
@@ -158,7 +158,7 @@ void print_rea(const Arguments& args, std::string& csv) {
         contender("improved REA*", ImprovedReaStar{}, paper[4]),
         contender("improved REA*, markers", ImprovedReaStar{.funnel = false}),
         contender("improved REA*, markers, last leg",
-                  ImprovedReaStar{.passage_cost = PassageCost::last_leg, .funnel = false})};
+                  ImprovedReaStar{.exit_cost = ExitCost::last_leg, .funnel = false})};
     print_set("map " + maps[i].name, contenders, measure_all(contenders, {&task, 1}, args.rounds),
               0, csv);
   }

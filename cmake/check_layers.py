@@ -55,6 +55,7 @@ SHARED = {
     "geometry/tangent/oriented_box.hpp": "the taut string sweeps a box over its obstacles",
     "geometry/tangent/tangent_line.hpp": "searches and smoothers draw tangents to safety zones",
     "grid/bitboard/bits.hpp": "cells look at many neighbours at once",
+    "grid/bitboard/corner_cells.hpp": "spaces and meshes ask what meets at a corner of cells",
     "grid/bitboard/free_runs.hpp": "searches and smoothers walk over runs of free cells",
     "grid/bitboard/stop_planes.hpp": "spaces keep the planes in which searches jump",
     "grid/bitboard/successors.hpp": "searches step through the tables of successors",

@@ -72,7 +72,8 @@ TEST_CASE("searches by name give the same plans on any number of threads") {
   for (std::size_t i = 0; i < test::scaled(200); ++i) {
     queries.push_back(test::random_query(random, space));
   }
-  const auto jps_plus = erase_jps_plus<CellSpace>();  // its table is prepared by the first to ask
+  const auto jps_plus =
+      detail::erase_jps_plus<CellSpace>();  // its table is prepared by the first to ask
   for (const auto& search : {erase_search<CellSpace>(AStar{}), jps_plus}) {
     INFO(search.name);
     const Planner planner(search);

@@ -26,45 +26,44 @@ Clauses clauses(const test::Breaches& breaches) {
 
 /// The clauses that A* breaks when `change` does something to its queries and answers.
 template <class S>
-Clauses broken_by(
-    const std::function<Answer(const AnySearch<S>&, const S&, Query, AnyScratch&)>& change) {
+Clauses broken_by(const std::function<Answer(const AnySearch<S>&, const S&, Query,
+                                             detail::AnyScratch&)>& change) {
   const AnySearch<S> astar = erase_search<S>(AStar{});
-  const AnySearch<S> changed{
-      "changed", [&](const S& space, const Query& query, AnyScratch& scratch, SearchRecord*) {
-        return change(astar, space, query, scratch);
-      }};
+  const AnySearch<S> changed{"changed",
+                             [&](const S& space, const Query& query, detail::AnyScratch& scratch,
+                                 SearchRecord*) { return change(astar, space, query, scratch); }};
   return clauses(test::broken_clauses(changed, {}));
 }
 
-Answer ask(const auto& search, const auto& space, const Query& query, AnyScratch& scratch) {
+Answer ask(const auto& search, const auto& space, const Query& query, detail::AnyScratch& scratch) {
   NoObserver no_observer;
   return search.search(space, query, scratch, no_observer);
 }
 
 TEMPLATE_TEST_CASE("the searcher contract is kept by A*", "", LatticeSpace, CellSpace) {
   CHECK(broken_by<TestType>([](const auto& astar, const auto& space, Query query,
-                               AnyScratch& scratch) {
+                               detail::AnyScratch& scratch) {
           return ask(astar, space, query, scratch);
         }).empty());
 }
 
 TEMPLATE_TEST_CASE("the searcher contract is broken by a search that never finds a route", "",
                    LatticeSpace, CellSpace) {
-  CHECK(broken_by<TestType>(
-            [](const auto& astar, const auto& space, Query query, AnyScratch& scratch) -> Answer {
-              const Answer answer = ask(astar, space, query, scratch);
-              if (answer) return fail(PlanError::unreachable);
-              return answer;
-            }) == Clauses{"a route is found on a built-in map",
-                          "a route from a point to itself is that point",
-                          "a third of random queries has a route",
-                          "so many routes as promised are found where A* finds one"});
+  CHECK(broken_by<TestType>([](const auto& astar, const auto& space, Query query,
+                               detail::AnyScratch& scratch) -> Answer {
+          const Answer answer = ask(astar, space, query, scratch);
+          if (answer) return fail(PlanError::unreachable);
+          return answer;
+        }) == Clauses{"a route is found on a built-in map",
+                      "a route from a point to itself is that point",
+                      "a third of random queries has a route",
+                      "so many routes as promised are found where A* finds one"});
 }
 
 TEMPLATE_TEST_CASE("the searcher contract is broken by a route through a wall", "", LatticeSpace,
                    CellSpace) {
   CHECK(broken_by<TestType>(
-            [](const auto& astar, const auto& space, Query query, AnyScratch& scratch) {
+            [](const auto& astar, const auto& space, Query query, detail::AnyScratch& scratch) {
               Answer answer = ask(astar, space, query, scratch);
               if (answer) answer->curve = Curve::polyline(std::vector{query.start, query.goal});
               return answer;
@@ -75,7 +74,7 @@ TEMPLATE_TEST_CASE("the searcher contract is broken by a route through a wall", 
 TEMPLATE_TEST_CASE("the searcher contract is broken by a route that ends beside the goal", "",
                    LatticeSpace, CellSpace) {
   CHECK(broken_by<TestType>(
-            [](const auto& astar, const auto& space, Query query, AnyScratch& scratch) {
+            [](const auto& astar, const auto& space, Query query, detail::AnyScratch& scratch) {
               Answer answer = ask(astar, space, query, scratch);
               if (answer && answer->curve.pieces().size() > 1) {
                 answer->curve = answer->curve.split(0.999 * answer->curve.length()).first;
@@ -88,7 +87,7 @@ TEMPLATE_TEST_CASE("the searcher contract is broken by answers that change", "",
                    CellSpace) {
   int count = 0;
   CHECK(broken_by<TestType>(
-            [&](const auto& astar, const auto& space, Query query, AnyScratch& scratch) {
+            [&](const auto& astar, const auto& space, Query query, detail::AnyScratch& scratch) {
               Answer answer = ask(astar, space, query, scratch);
               if (answer) answer->cost += ++count;
               return answer;
@@ -98,7 +97,7 @@ TEMPLATE_TEST_CASE("the searcher contract is broken by answers that change", "",
 TEMPLATE_TEST_CASE("the searcher contract is broken by a search without a budget", "", LatticeSpace,
                    CellSpace) {
   CHECK(broken_by<TestType>(
-            [](const auto& astar, const auto& space, Query query, AnyScratch& scratch) {
+            [](const auto& astar, const auto& space, Query query, detail::AnyScratch& scratch) {
               query.budget = {};
               return ask(astar, space, query, scratch);
             }) == Clauses{"a budget without expansions is reported", "a past deadline is reported",
@@ -108,7 +107,7 @@ TEMPLATE_TEST_CASE("the searcher contract is broken by a search without a budget
 TEMPLATE_TEST_CASE("the searcher contract is broken by a failure for another reason", "",
                    LatticeSpace, CellSpace) {
   CHECK(broken_by<TestType>([](const auto& astar, const auto& space, Query query,
-                               AnyScratch& scratch) -> Answer {
+                               detail::AnyScratch& scratch) -> Answer {
           const Answer answer = ask(astar, space, query, scratch);
           if (!answer) return fail(PlanError::limit_exceeded);
           return answer;

@@ -37,12 +37,12 @@ TEST_CASE("algorithms chosen by name give what the algorithms themselves give") 
   CHECK(named(smoothers, "none").name == "none");
   CHECK(named(smoothers, "shortcut").name == "shortcut");
 
-  const auto count = [](const SearchRecord& record, SearchEvent::Kind kind) {
+  const auto count = [](const SearchRecord& record, SearchRecord::Event::Kind kind) {
     return static_cast<std::uint64_t>(
         std::count_if(record.events.begin(), record.events.end(),
-                      [&](const SearchEvent& event) { return event.kind == kind; }));
+                      [&](const SearchRecord::Event& event) { return event.kind == kind; }));
   };
-  using Kind = SearchEvent::Kind;
+  using Kind = SearchRecord::Event::Kind;
   for (const auto& search : searches) {
     INFO(search.name);
     SearchRecord record;

@@ -76,7 +76,7 @@ void override_start_and_goals(const Arguments& args, Scene& scene) {
   if (!args.start.empty()) scene.start = parse_point("--start", args.start);
   if (!args.goals.empty()) scene.goals.clear();
   for (const std::string& goal : args.goals) scene.goals.push_back(parse_point("--goal", goal));
-  if (!is_finite(scene.start)) throw UsageError{"no start: give --start X,Y"};
+  if (!detail::is_finite(scene.start)) throw UsageError{"no start: give --start X,Y"};
   if (scene.goals.empty()) throw UsageError{"no goal: give --goal X,Y"};
   if (args.time_limit && !(*args.time_limit >= 0)) {
     throw UsageError{"--time-limit must not be negative"};
@@ -93,7 +93,7 @@ void override_workspace(const Arguments& args, Scene& scene) {
   if (!args.bounds.empty()) {
     const auto b = parse_numbers("--bounds", args.bounds, 4, "X0,Y0,X1,Y1");
     workspace.bounds = {{b[0], b[1]}, {b[2], b[3]}};
-  } else if (!is_finite(workspace.bounds.min)) {
+  } else if (!detail::is_finite(workspace.bounds.min)) {
     workspace.bounds = bounds_around(scene);
   }
   if (args.resolution) {
@@ -130,7 +130,8 @@ CellSpace load_ros_map(const Arguments& args, CellOptions options) {
   }
   options.resolution = map.resolution;
   options.origin = map.origin;
-  const auto unknown = args.unknown == "free" ? UnknownCells::free : UnknownCells::blocked;
+  const auto unknown =
+      args.unknown == "free" ? RosMap::UnknownCells::free : RosMap::UnknownCells::blocked;
   return value_or_throw(CellSpace::build(value_or_throw(to_grid(map, unknown)), options));
 }
 

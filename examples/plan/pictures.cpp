@@ -52,11 +52,11 @@ std::vector<Obstacle> blocked_rectangles(const CellSpace& space) {
   return rectangles;
 }
 
-void add_event(const SearchEvent& event, SvgOptions& options) {
+void add_event(const SearchRecord::Event& event, SvgOptions& options) {
   const auto& [kind, a, b] = event;
-  if (kind == SearchEvent::Kind::edge) options.tree.push_back({a, b});
-  if (kind == SearchEvent::Kind::rectangle) options.rectangles.push_back({a, b});
-  if (kind == SearchEvent::Kind::interval) options.intervals.push_back({a, b});
+  if (kind == SearchRecord::Event::Kind::edge) options.tree.push_back({a, b});
+  if (kind == SearchRecord::Event::Kind::rectangle) options.rectangles.push_back({a, b});
+  if (kind == SearchRecord::Event::Kind::interval) options.intervals.push_back({a, b});
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ void draw(const std::string& path, const Task& task, std::vector<Group> groups) 
   std::vector<Plan> plans;
   for (Group& group : groups) {
     for (Result& result : group) {
-      for (const SearchEvent& event : result.drawings) add_event(event, options);
+      for (const SearchRecord::Event& event : result.drawings) add_event(event, options);
       if (!result.plan) continue;
       if (result.smoother == DeltaSmoother::name) {
         const auto corners = critical_corners_of(task.space, result.plan->route.curve);

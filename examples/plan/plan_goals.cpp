@@ -18,9 +18,10 @@ void add_figures(const PlanningSpace& space, const Query& query, Result& result)
 }
 
 /// The events that pictures show: everything but single nodes.
-std::vector<SearchEvent> drawings_of(SearchRecord&& record) {
-  std::erase_if(record.events, [](const SearchEvent& event) {
-    return event.kind == SearchEvent::Kind::expanded || event.kind == SearchEvent::Kind::generated;
+std::vector<SearchRecord::Event> drawings_of(SearchRecord&& record) {
+  std::erase_if(record.events, [](const SearchRecord::Event& event) {
+    return event.kind == SearchRecord::Event::Kind::expanded ||
+           event.kind == SearchRecord::Event::Kind::generated;
   });
   return std::move(record.events);
 }

@@ -41,7 +41,7 @@ AnySmoother<S> find_pipeline(const std::vector<AnySmoother<S>>& all, const std::
   const std::vector<std::string> stages = split(names, '+');
   AnySmoother<S> pipeline = find(all, stages.front());
   for (std::size_t i = 1; i < stages.size(); ++i) {
-    pipeline = chain(pipeline, find(all, stages[i]));
+    pipeline = detail::chain(pipeline, find(all, stages[i]));
   }
   return pipeline;
 }
@@ -72,7 +72,8 @@ PlanQuery make_planner(const PlanningSpace& any_space, const std::string& search
 }
 
 double mean_clearance_of(const PlanningSpace& any_space, const Curve& curve) {
-  return std::visit([&](const auto& space) { return mean_clearance(space, curve); }, any_space);
+  return std::visit([&](const auto& space) { return detail::mean_clearance(space, curve); },
+                    any_space);
 }
 
 std::optional<double> optimum_of(const PlanningSpace& any_space, const Query& query, double bound) {

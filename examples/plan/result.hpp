@@ -23,7 +23,7 @@ struct Result {
   Expected<Plan, Failure> plan;
   std::optional<double> optimum{};      ///< length of the shortest path [m], if it is known
   std::optional<double> taut_length{};  ///< of the route when pulled taut [m], if it is asked for
-  std::vector<SearchEvent> drawings{};  ///< parts of the search that the picture shows
+  std::vector<SearchRecord::Event> drawings{};  ///< parts of the search that the picture shows
 };
 
 /// The results of one search with one smoother for every goal.

@@ -26,7 +26,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-using tutavia::to_text;
+using tutavia::detail::to_text;
 
 std::string to_text(double value, int decimals) {
   std::array<char, 32> buffer{};
@@ -127,12 +127,13 @@ void print_plan(const std::string& goal, const Plan& plan) {
 void print_grid(const Scene& scene, const CellSpace& space) {
   std::printf("%s: %d x %d cells of %g m, safety radius %g m, start %s\n", scene.name.c_str(),
               space.cells().width(), space.cells().height(), space.frame().resolution,
-              space.safety_radius(), to_text(scene.start).c_str());
+              space.safety_radius(), detail::to_text(scene.start).c_str());
 }
 
 void print_workspace(const std::string& name, const Scene& scene) {
   std::printf("%s: safety radius %g m, lattice %g m, start %s\n", name.c_str(),
-              scene.workspace.safety_radius, scene.resolution, to_text(scene.start).c_str());
+              scene.workspace.safety_radius, scene.resolution,
+              detail::to_text(scene.start).c_str());
   const WorkspaceReport report = inspect(scene.workspace);
   if (report.empty()) return;
   std::fflush(stdout);
@@ -163,7 +164,7 @@ void print_plans(const Group& group) {
   std::printf("%-16s %10s %9s %6s %9s %9s %9s %10s  %-8s %9s\n", "goal", "length m", "change",
               "turns", "change", "angle deg", "change", "clear >= m", "proof", "ms");
   for (const Result& result : group) {
-    const std::string goal = to_text(result.goal);
+    const std::string goal = detail::to_text(result.goal);
     if (result.plan) {
       print_plan(goal, *result.plan);
     } else {

@@ -22,6 +22,8 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// Scratch memory of whichever search it was last handed to. Not to be copied, as that of some
 /// searches is not.
 class AnyScratch {
@@ -41,10 +43,12 @@ class AnyScratch {
   const std::type_info* kind_ = nullptr;
 };
 
+}  // namespace detail
+
 /// Any searcher on spaces of type S.
 template <class S>
 struct AnySearch {
-  using Scratch = AnyScratch;
+  using Scratch = detail::AnyScratch;
 
   std::string_view name{};
   std::function<Expected<Route, Failure>(const S&, const Query&, Scratch&, SearchRecord*)> run{};
@@ -90,8 +94,8 @@ struct OptionalRecord {
 
 template <class S, Searcher<S> A>
 AnySearch<S> erase_search(const A& algorithm) {
-  return {A::name,
-          [algorithm](const S& space, const Query& query, AnyScratch& any, SearchRecord* record) {
+  return {A::name, [algorithm](const S& space, const Query& query, detail::AnyScratch& any,
+                               SearchRecord* record) {
             auto& scratch = any.get<typename A::Scratch>();
             detail::OptionalRecord observer{record};
             const auto add = [&](const Point& a, const Point& b) { record->edge(a, b); };
@@ -114,6 +118,8 @@ AnySmoother<S> erase_smoother(const A& algorithm) {
           }};
 }
 
+namespace detail {
+
 /// Two smoothers one after the other, named "first+second"; see Pipeline.
 template <class S>
 AnySmoother<S> chain(const AnySmoother<S>& first, const AnySmoother<S>& second) {
@@ -123,5 +129,7 @@ AnySmoother<S> chain(const AnySmoother<S>& first, const AnySmoother<S>& second) 
             return result ? second.smooth(space, *result, budget) : result;
           }};
 }
+
+}  // namespace detail
 
 }  // namespace tutavia

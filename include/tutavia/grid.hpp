@@ -6,7 +6,6 @@
 
 #include "tutavia/grid/cell.hpp"
 #include "tutavia/grid/cell_costs.hpp"
-#include "tutavia/grid/corner_cells.hpp"
 #include "tutavia/grid/dilate.hpp"
 #include "tutavia/grid/line_of_sight.hpp"
 #include "tutavia/grid/movement.hpp"

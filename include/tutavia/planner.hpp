@@ -26,9 +26,13 @@ struct Plan {
   Statistics stats{};
 };
 
+namespace detail {
+
 /// A space on which a search and a smoother work.
 template <class S, class Search, class Smooth>
 concept PlannableSpace = ClearanceSpace<S> && Searcher<Search, S> && Smoother<Smooth, S>;
+
+}  // namespace detail
 
 /// Chains a search, a smoother and the certificate.
 ///
@@ -50,14 +54,14 @@ class Planner {
   /// A planner with the same options and scratch memory of its own, for another thread.
   Planner worker() const { return Planner(search_, smoother_); }
 
-  template <PlannableSpace<Search, Smooth> S>
+  template <detail::PlannableSpace<Search, Smooth> S>
   Expected<Plan, Failure> plan(const S& space, const Query& query) {
     NoObserver no_observer;
     return plan(space, query, no_observer);
   }
 
   /// The same, with an observer that is told of the nodes searched.
-  template <PlannableSpace<Search, Smooth> S, Observer O>
+  template <detail::PlannableSpace<Search, Smooth> S, Observer O>
   Expected<Plan, Failure> plan(const S& space, const Query& query, O& observer) {
     Stopwatch watch;
     auto route = search_.search(space, query, scratch_, observer);

@@ -73,8 +73,6 @@ class SharedJumpTable {
   std::shared_ptr<const JumpTable> table_;
 };
 
-}  // namespace detail
-
 /// JPS+ with a table that is prepared for the space at the first query.
 template <GridSpace S>
 AnySearch<S> erase_jps_plus() {
@@ -89,8 +87,6 @@ AnySearch<S> erase_jps_plus() {
             return JpsPlus{*table}.search(space, query, scratch, observer);
           }};
 }
-
-namespace detail {
 
 /// Adds those of some searches that work on S, with default options.
 template <class... Searches, class S>
@@ -122,7 +118,7 @@ std::vector<AnySearch<S>> all_searches() {
   std::vector<AnySearch<S>> all;
   detail::add_searches<Dijkstra, AStar, WeightedAStar, CanonicalAStar, BidirectionalAStar,
                        PenaltyAStar, Jps>(all);
-  if constexpr (GridSpace<S>) all.push_back(erase_jps_plus<S>());
+  if constexpr (GridSpace<S>) all.push_back(detail::erase_jps_plus<S>());
   detail::add_searches<ThetaStar, LazyThetaStar, JpsThetaStar, SsaAStar, AntColony, ReaStar,
                        SbReaStar, ImprovedReaStar, Rrt, RrtStar, RrtConnect, InformedRrtStar,
                        SafeRrtStar, AnyAngle>(all);

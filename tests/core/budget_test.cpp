@@ -23,7 +23,7 @@ TEST_CASE("the default budget has no limits", "[core]") {
 TEST_CASE("no time at all is exhausted at once", "[core]") {
   for (const double seconds : {0.0, -0.0, -1.0, -1e300, -std::numeric_limits<double>::infinity()}) {
     CAPTURE(seconds);
-    CHECK(Budget::for_seconds(seconds).exceeded() == BudgetEnd::exhausted);
+    CHECK(Budget::for_seconds(seconds).exceeded() == Budget::End::exhausted);
   }
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("the deadline lies the given seconds ahead", "[core]") {
 TEST_CASE("a deadline that passes exhausts the budget", "[core]") {
   const Budget budget = Budget::for_seconds(1e-3);
   std::this_thread::sleep_until(budget.deadline);
-  CHECK(budget.exceeded() == BudgetEnd::exhausted);
+  CHECK(budget.exceeded() == Budget::End::exhausted);
 }
 
 TEST_CASE("a stop request reaches every copy and goes before the deadline", "[core]") {
@@ -62,10 +62,10 @@ TEST_CASE("a stop request reaches every copy and goes before the deadline", "[co
   budget.stop = source.get_token();
   const Budget copy = budget;
   CHECK_FALSE(copy.cancelled());
-  CHECK(copy.exceeded() == BudgetEnd::exhausted);
+  CHECK(copy.exceeded() == Budget::End::exhausted);
   std::thread([&] { source.request_stop(); }).join();
   CHECK(copy.cancelled());
-  CHECK(copy.exceeded() == BudgetEnd::cancelled);
+  CHECK(copy.exceeded() == Budget::End::cancelled);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST_CASE("an arc approaches a segment as closely as samples of both do") {
                                 random.uniform(-2 * pi, 2 * pi));
     const Point a = point();
     const Segment segment{a, round % 7 == 0 ? a : point()};
-    const ClosestApproach found = closest_approach(arc, segment);
+    const detail::ClosestApproach found = detail::closest_approach(arc, segment);
     double sampled = distance(arc.a, segment);
     for (int i = 1; i <= 5000; ++i) {
       sampled = std::min(sampled, distance(arc.point(i / 5000.0), segment));

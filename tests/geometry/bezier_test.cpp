@@ -53,7 +53,7 @@ TEMPLATE_TEST_CASE("a Bezier piece runs from its first to its last control point
     const auto expected = bernstein(piece, t);
     const Point error{static_cast<double>(piece.point(t).x() - expected[0]),
                       static_cast<double>(piece.point(t).y() - expected[1])};
-    CHECK(max_magnitude(error) <= 12 * 0x1p-53 * piece.box().largest_coordinate());
+    CHECK(detail::max_magnitude(error) <= 12 * 0x1p-53 * piece.box().largest_coordinate());
     CHECK(piece.box().inflated(1e-15 * reach).contains(piece.point(t)));
   }
 }
@@ -260,7 +260,7 @@ TEMPLATE_TEST_CASE("the nearest point of a Bezier piece is as near as any sample
     for (Point& q : piece.points) q += shift;
     Point p = shift + Point(random.uniform(-1, 1), random.uniform(-1, 1));
     if (round % 4 == 1) p = piece.point(random.uniform());
-    const double rounding = 1e-14 + 1e-15 * max_magnitude(shift);
+    const double rounding = 1e-14 + 1e-15 * detail::max_magnitude(shift);
     const double t = piece.nearest_parameter(p), found = distance(p, piece.point(t));
     CHECK((t >= 0 && t <= 1));
     double sampled = 10;
@@ -300,8 +300,8 @@ TEST_CASE("a point as far from all of a Bezier piece has a nearest one all the s
     INFO("sweep " << sweep);
     const double k = 4.0 / 3 * std::tan(sweep / 4);
     const auto on = [](double angle) { return Point(std::cos(angle), std::sin(angle)); };
-    const CubicBezier arc{{on(0), Point(on(0) + k * perpendicular(on(0))),
-                           Point(on(sweep) - k * perpendicular(on(sweep))), on(sweep)}};
+    const CubicBezier arc{{on(0), Point(on(0) + k * detail::perpendicular(on(0))),
+                           Point(on(sweep) - k * detail::perpendicular(on(sweep))), on(sweep)}};
     CHECK(distance({0, 0}, arc.point(arc.nearest_parameter({0, 0}))) == Approx(1).epsilon(1e-11));
   }
 }

@@ -93,7 +93,7 @@ TEST_CASE("a clothoid's directions, curvature and bounds are those of its points
     for (int i = 0; i <= 50; ++i) {
       const Point p = c.point(i / 50.0);
       CHECK(c.box().inflated(1e-14).contains(p));
-      CHECK(distance(p, lerp(c.a, c.b, i / 50.0)) <= c.deviation() + 1e-14);
+      CHECK(distance(p, detail::lerp(c.a, c.b, i / 50.0)) <= c.deviation() + 1e-14);
     }
   }
 }

@@ -261,7 +261,7 @@ TEST_CASE("the nearest point of a curve is as near as any sample", "[geometry]")
     INFO("seed " << seed << ", round " << round);
     const Curve curve = any_curve_with_arcs(random);
     const Point p{random.uniform(-2, 2), random.uniform(-2, 2)};
-    const NearestPoint found = curve.nearest(p);
+    const Curve::Nearest found = curve.nearest(p);
     double sampled = 100;
     for (const CurvePoint& at : curve.sample(0.01)) {
       sampled = std::min(sampled, distance(p, at.position));
@@ -317,11 +317,11 @@ TEST_CASE("the largest curvature of a cubic piece is that of its closest sample"
     INFO("seed " << seed << ", round " << round);
     CubicBezier piece;
     for (Point& p : piece.points) p = {random.uniform(0, 4), random.uniform(0, 4)};
-    if (round % 5 == 1) piece.points[2] = lerp(piece.points[3], piece.points[0], 0.3);
+    if (round % 5 == 1) piece.points[2] = detail::lerp(piece.points[3], piece.points[0], 0.3);
     if (round % 5 == 2) {  // a parabola
       const Point middle = piece.points[1];
-      piece.points[1] = lerp(piece.points[0], middle, 2.0 / 3);
-      piece.points[2] = lerp(piece.points[3], middle, 2.0 / 3);
+      piece.points[1] = detail::lerp(piece.points[0], middle, 2.0 / 3);
+      piece.points[2] = detail::lerp(piece.points[3], middle, 2.0 / 3);
     }
     const double scale = std::pow(10, random.uniform(-12, 12));
     if (round % 5 == 3) {

@@ -215,8 +215,8 @@ TEST_CASE("points as good as equal, and points that turn back, have finite splin
       INFO(data.size() << " points, bound " << bound);
       const auto spline = NaturalSpline::within(data, bound);
       for (int i = 0; i <= 50; ++i) {
-        CHECK(is_finite(spline.point(spline.end() * i / 50)));
-        CHECK(is_finite(spline.derivative(spline.end() * i / 50)));
+        CHECK(detail::is_finite(spline.point(spline.end() * i / 50)));
+        CHECK(detail::is_finite(spline.derivative(spline.end() * i / 50)));
       }
       CHECK(residual_sum(spline, data) <= bound + 1e-20);
     }

@@ -27,11 +27,11 @@ TEST_CASE("the cross product is positive to the left and changes sign with the o
 }
 
 TEST_CASE("perpendicular turns a vector left by a right angle", "[geometry]") {
-  CHECK(perpendicular({3, 4}) == Point(-4, 3));
+  CHECK(detail::perpendicular({3, 4}) == Point(-4, 3));
   const Point v(-1.25, 7.5);
-  CHECK(v.dot(perpendicular(v)) == 0);
-  CHECK(cross(v, perpendicular(v)) == v.squaredNorm());
-  CHECK(perpendicular(perpendicular(v)) == Point(-v));
+  CHECK(v.dot(detail::perpendicular(v)) == 0);
+  CHECK(cross(v, detail::perpendicular(v)) == v.squaredNorm());
+  CHECK(detail::perpendicular(detail::perpendicular(v)) == Point(-v));
 }
 
 TEST_CASE("heading measures from +x, left positive, and includes +pi", "[geometry]") {
@@ -59,7 +59,7 @@ TEST_CASE("deflection recovers the angle by which a vector was turned", "[geomet
   for (std::size_t round = 0; round < test::scaled(1000); ++round) {
     const double from = random.uniform(-pi, pi), turn = random.uniform(-3.14, 3.14);
     const double size = std::exp(random.uniform(-20, 20)), other = random.uniform(0.1, 10);
-    INFO("round " << round << " from " << from << " turn " << turn << " size " << size);
+    INFO("round " << round << " from " << from << " turn " << detail::turn << " size " << size);
     const Point a = size * Point(std::cos(from), std::sin(from));
     const Point b = other * Point(std::cos(from + turn), std::sin(from + turn));
     CHECK(turn_angle(a, b) == Approx(turn).margin(1e-14));
@@ -68,19 +68,19 @@ TEST_CASE("deflection recovers the angle by which a vector was turned", "[geomet
 }
 
 TEST_CASE("a point is finite when both of its coordinates are", "[geometry]") {
-  CHECK(is_finite({1e308, -1e-308}));
+  CHECK(detail::is_finite({1e308, -1e-308}));
   for (const double bad : {inf, -inf, nan}) {
     CAPTURE(bad);
-    CHECK_FALSE(is_finite({bad, 0}));
-    CHECK_FALSE(is_finite({0, bad}));
+    CHECK_FALSE(detail::is_finite({bad, 0}));
+    CHECK_FALSE(detail::is_finite({0, bad}));
   }
 }
 
 TEST_CASE("max_magnitude is the larger absolute coordinate", "[geometry]") {
-  CHECK(max_magnitude({3, -4}) == 4);
-  CHECK(max_magnitude({-5, 4}) == 5);
-  CHECK(max_magnitude({0, -0.0}) == 0);
-  CHECK(max_magnitude({1, -inf}) == inf);
+  CHECK(detail::max_magnitude({3, -4}) == 4);
+  CHECK(detail::max_magnitude({-5, 4}) == 5);
+  CHECK(detail::max_magnitude({0, -0.0}) == 0);
+  CHECK(detail::max_magnitude({1, -inf}) == inf);
 }
 
 TEST_CASE("angles never come out as -pi, whatever the signs of zeros") {

@@ -24,7 +24,7 @@ Ring reversed(Ring ring) {
 
 std::size_t edge_count(const Ring& ring) {
   std::size_t count = 0;
-  for_each_edge(ring, [&](const Point&, const Point&) { ++count; });
+  detail::for_each_edge(ring, [&](const Point&, const Point&) { ++count; });
   return count;
 }
 
@@ -39,8 +39,8 @@ int turns(const Ring& ring, const Point& p) {
 
 TEST_CASE("the edges of a ring close it and leave out equal neighbours", "[geometry]") {
   std::vector<std::pair<Point, Point>> edges;
-  for_each_edge(Ring{{0, 0}, {1, 0}, {1, 0}, {0, 2}, {0, 0}},
-                [&](const Point& a, const Point& b) { edges.emplace_back(a, b); });
+  detail::for_each_edge(Ring{{0, 0}, {1, 0}, {1, 0}, {0, 2}, {0, 0}},
+                        [&](const Point& a, const Point& b) { edges.emplace_back(a, b); });
   REQUIRE(edges.size() == 3);
   CHECK(edges[0] == std::pair(Point(0, 0), Point(1, 0)));
   CHECK(edges[1] == std::pair(Point(1, 0), Point(0, 2)));
@@ -53,7 +53,7 @@ TEST_CASE("the edges of a ring close it and leave out equal neighbours", "[geome
 TEST_CASE("a ring of one distinct point has one edge, from it to itself", "[geometry]") {
   for (const Ring& ring : {Ring{{3, 4}}, Ring{{3, 4}, {3, 4}, {3, 4}}}) {
     std::size_t count = 0;
-    for_each_edge(ring, [&](const Point& a, const Point& b) {
+    detail::for_each_edge(ring, [&](const Point& a, const Point& b) {
       CHECK((a == Point(3, 4) && b == Point(3, 4)));
       ++count;
     });
@@ -62,27 +62,27 @@ TEST_CASE("a ring of one distinct point has one edge, from it to itself", "[geom
 }
 
 TEST_CASE("the signed area is positive counterclockwise, also far from the origin", "[geometry]") {
-  CHECK(signed_area_twice(square) == 32);
-  CHECK(signed_area_twice(reversed(square)) == -32);
-  CHECK(signed_area_twice({{0, 0}, {3, 0}, {0, 2}, {0, 0}}) == 6);
+  CHECK(detail::signed_area_twice(square) == 32);
+  CHECK(detail::signed_area_twice(reversed(square)) == -32);
+  CHECK(detail::signed_area_twice({{0, 0}, {3, 0}, {0, 2}, {0, 0}}) == 6);
   Ring far = square;
   for (Point& p : far) p += Point(1e9, -1e9);
-  CHECK(signed_area_twice(far) == 32);
-  CHECK(signed_area_twice({{0, 0}, {2, 2}, {2, 0}, {0, 2}}) == 0);  // a figure eight
-  CHECK(signed_area_twice({{5, 5}}) == 0);
-  CHECK(signed_area_twice({}) == 0);
+  CHECK(detail::signed_area_twice(far) == 32);
+  CHECK(detail::signed_area_twice({{0, 0}, {2, 2}, {2, 0}, {0, 2}}) == 0);  // a figure eight
+  CHECK(detail::signed_area_twice({{5, 5}}) == 0);
+  CHECK(detail::signed_area_twice({}) == 0);
 }
 
 TEST_CASE("a ring winds once around its inside, either way, and never outside", "[geometry]") {
-  CHECK(winding_number(square, {1, 2}) == 1);
-  CHECK(winding_number(reversed(square), {1, 2}) == -1);
+  CHECK(detail::winding_number(square, {1, 2}) == 1);
+  CHECK(detail::winding_number(reversed(square), {1, 2}) == -1);
   for (const Point& outside : {Point(-1, 2), Point(5, 2), Point(2, 5), Point(2, -1), Point(-1, 0),
                                Point(-1, 4), Point(5, 4), Point(5, 0)}) {
-    CHECK(winding_number(square, outside) == 0);
+    CHECK(detail::winding_number(square, outside) == 0);
   }
-  CHECK(winding_number({}, {0, 0}) == 0);
-  CHECK(winding_number({{1, 1}}, {0, 1}) == 0);
-  CHECK(winding_number({{1, 1}, {3, 1}}, {0, 1}) == 0);
+  CHECK(detail::winding_number({}, {0, 0}) == 0);
+  CHECK(detail::winding_number({{1, 1}}, {0, 1}) == 0);
+  CHECK(detail::winding_number({{1, 1}, {3, 1}}, {0, 1}) == 0);
 }
 
 TEST_CASE("vertices and horizontal edges at the height of the point count once", "[geometry]") {
@@ -109,12 +109,12 @@ TEST_CASE("one unit in the last place decides between inside and outside", "[geo
 
 TEST_CASE("an obstacle that crosses itself is solid wherever its ring winds", "[geometry]") {
   const Ring pentagram{{0, 5}, {-3, -4}, {5, 2}, {-5, 2}, {3, -4}};
-  CHECK(std::abs(winding_number(pentagram, {0, 0})) == 2);
+  CHECK(std::abs(detail::winding_number(pentagram, {0, 0})) == 2);
   CHECK(contains({pentagram}, {0, 0}));
   CHECK(contains({pentagram}, {0, 4}));         // a tip
   CHECK_FALSE(contains({pentagram}, {0, -4}));  // between two tips
   const Ring eight{{0, 0}, {4, 4}, {4, 0}, {0, 4}};
-  CHECK(winding_number(eight, {0.5, 2}) == -winding_number(eight, {3.5, 2}));
+  CHECK(detail::winding_number(eight, {0.5, 2}) == -detail::winding_number(eight, {3.5, 2}));
   CHECK(contains({eight}, {0.5, 2}));
   CHECK(contains({eight}, {3.5, 2}));
   CHECK_FALSE(contains({eight}, {2, 3}));
@@ -149,21 +149,21 @@ TEST_CASE("winding agrees with the sum of angles, however the ring is written", 
     for (Point& p : ring) p = Point{whole(), whole()};
     const Point p{whole(), whole()};
     bool on_ring = false;
-    for_each_edge(ring, [&](const Point& a, const Point& b) {
+    detail::for_each_edge(ring, [&](const Point& a, const Point& b) {
       on_ring = on_ring || compare_distance(p, a, b, 0, 0) == 0;
     });
     if (on_ring) continue;
     ++tested;
     INFO("round " << round);
-    const int expected = winding_number(ring, p);
+    const int expected = detail::winding_number(ring, p);
     CHECK(expected == turns(ring, p));
-    CHECK(winding_number(reversed(ring), p) == -expected);
+    CHECK(detail::winding_number(reversed(ring), p) == -expected);
     Ring rotated = ring;
     std::rotate(rotated.begin(), rotated.begin() + 1, rotated.end());
-    CHECK(winding_number(rotated, p) == expected);
+    CHECK(detail::winding_number(rotated, p) == expected);
     ring.insert(ring.begin(), ring.front());  // a duplicate at the start
     ring.push_back(ring.front());             // and the start repeated at the end
-    CHECK(winding_number(ring, p) == expected);
+    CHECK(detail::winding_number(ring, p) == expected);
   }
   CHECK(tested > 300);
 }

@@ -90,7 +90,7 @@ TEST_CASE("the distance to a segment errs by less than 12 u M", "[geometry]") {
     if (round % 5 == 0) s.b = s.a + any_point(random, 1e-9 * reach);  // far shorter than it is away
     Point p = any_point(random, reach);
     if (round % 3 == 0) p = s.point(random.uniform(-0.1, 1.1)) + any_point(random, 1e-9);
-    const double magnitude = std::max(max_magnitude(p), s.box().largest_coordinate());
+    const double magnitude = std::max(detail::max_magnitude(p), s.box().largest_coordinate());
     INFO("round " << round << " reach " << reach);
     const auto expected = static_cast<double>(searched_distance(p, s));
     CHECK(std::abs(distance(p, s) - expected) <= 12 * 0x1p-53 * magnitude);
@@ -107,7 +107,7 @@ TEST_CASE("an approach is no longer than any sampled gap, and its place attains 
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
     const Segment s{any_point(random, 1), any_point(random, 1)};
     const Segment other{any_point(random, 1), any_point(random, 1)};
-    const ClosestApproach found = closest_approach(s, other);
+    const detail::ClosestApproach found = detail::closest_approach(s, other);
     meetings += found.distance == 0;
     double least = 10;
     for (int i = 0; i <= samples; ++i) {
@@ -118,7 +118,7 @@ TEST_CASE("an approach is no longer than any sampled gap, and its place attains 
     CHECK(least <= found.distance + 0.5 * s.length() / samples + 1e-15);
     CHECK((found.parameter >= 0 && found.parameter <= 1));
     CHECK(distance(s.point(found.parameter), other) == Approx(found.distance).margin(1e-13));
-    CHECK(closest_approach(other, s).distance == found.distance);
+    CHECK(detail::closest_approach(other, s).distance == found.distance);
     CHECK((found.distance == 0) == segments_intersect(s.a, s.b, other.a, other.b));
   }
   CHECK(meetings > 10);
@@ -127,37 +127,38 @@ TEST_CASE("an approach is no longer than any sampled gap, and its place attains 
 TEST_CASE("segments that touch, overlap or are points approach to where they meet", "[geometry]") {
   const Segment s{{0, 0}, {8, 4}};
   const auto meets = [&](const Segment& other, double parameter) {
-    const ClosestApproach found = closest_approach(s, other);
+    const detail::ClosestApproach found = detail::closest_approach(s, other);
     CHECK(found.distance == 0);
     CHECK(found.parameter == parameter);
-    CHECK(closest_approach(other, s).distance == 0);
+    CHECK(detail::closest_approach(other, s).distance == 0);
   };
-  meets({{0, 3}, {5, -2}}, 0.25);                                        // crosses
-  meets({{4, 2}, {4, 9}}, 0.5);                                          // touches with its start
-  meets({{3, 9}, {6, 3}}, 0.75);                                         // touches with its end
-  meets({{8, 4}, {9, 0}}, 1);                                            // shares an end
-  meets({{4, 2}, {4, 2}}, 0.5);                                          // is a point of it
-  const double late = closest_approach(s, {{6, 3}, {16, 8}}).parameter;  // overlaps beyond the end
+  meets({{0, 3}, {5, -2}}, 0.25);  // crosses
+  meets({{4, 2}, {4, 9}}, 0.5);    // touches with its start
+  meets({{3, 9}, {6, 3}}, 0.75);   // touches with its end
+  meets({{8, 4}, {9, 0}}, 1);      // shares an end
+  meets({{4, 2}, {4, 2}}, 0.5);    // is a point of it
+  const double late =
+      detail::closest_approach(s, {{6, 3}, {16, 8}}).parameter;  // overlaps beyond the end
   CHECK((late >= 0.75 && late <= 1));
   const double early =
-      closest_approach(s, {{-2, -1}, {2, 1}}).parameter;  // overlaps before the start
+      detail::closest_approach(s, {{-2, -1}, {2, 1}}).parameter;  // overlaps before the start
   CHECK((early >= 0 && early <= 0.25));
-  const double inside = closest_approach(s, {{2, 1}, {6, 3}}).parameter;
+  const double inside = detail::closest_approach(s, {{2, 1}, {6, 3}}).parameter;
   CHECK((inside >= 0.25 && inside <= 0.75));
-  CHECK(closest_approach(s, {{2, 1}, {6, 3}}).distance == 0);
-  CHECK(closest_approach(s, {{-8, -4}, {16, 8}}).distance == 0);  // lies within the other
+  CHECK(detail::closest_approach(s, {{2, 1}, {6, 3}}).distance == 0);
+  CHECK(detail::closest_approach(s, {{-8, -4}, {16, 8}}).distance == 0);  // lies within the other
 }
 
 TEST_CASE("the gap between parallel or single-point segments is their distance", "[geometry]") {
   const Segment s{{0, 0}, {10, 0}};
-  CHECK(closest_approach(s, {{3, 2}, {20, 2}}).distance == 2);
-  CHECK(closest_approach(s, {{13, 4}, {20, 4}}).distance == 5);
-  CHECK(closest_approach(s, {{13, 4}, {20, 4}}).parameter == 1);
-  CHECK(closest_approach(s, {{12, 0}, {20, 0}}).distance == 2);
-  CHECK(closest_approach(s, {{4, -3}, {4, -3}}).distance == 3);
-  CHECK(closest_approach(s, {{4, -3}, {4, -3}}).parameter == 0.4);
-  CHECK(closest_approach(Segment{{4, -3}, {4, -3}}, s).distance == 3);
-  CHECK(closest_approach(Segment{{1, 1}, {1, 1}}, {{4, 5}, {4, 5}}).distance == 5);
+  CHECK(detail::closest_approach(s, {{3, 2}, {20, 2}}).distance == 2);
+  CHECK(detail::closest_approach(s, {{13, 4}, {20, 4}}).distance == 5);
+  CHECK(detail::closest_approach(s, {{13, 4}, {20, 4}}).parameter == 1);
+  CHECK(detail::closest_approach(s, {{12, 0}, {20, 0}}).distance == 2);
+  CHECK(detail::closest_approach(s, {{4, -3}, {4, -3}}).distance == 3);
+  CHECK(detail::closest_approach(s, {{4, -3}, {4, -3}}).parameter == 0.4);
+  CHECK(detail::closest_approach(Segment{{4, -3}, {4, -3}}, s).distance == 3);
+  CHECK(detail::closest_approach(Segment{{1, 1}, {1, 1}}, {{4, 5}, {4, 5}}).distance == 5);
 }
 
 TEST_CASE("the place where nearly collinear segments meet lies on both") {
@@ -168,7 +169,7 @@ TEST_CASE("the place where nearly collinear segments meet lies on both") {
   for (std::size_t round = 0; round < test::scaled(2000); ++round) {
     const Segment s{{hundredths(), hundredths()}, {hundredths(), hundredths()}};
     const Segment on{s.point(random.uniform(-0.5, 1)), s.point(random.uniform(0, 1.5))};
-    const ClosestApproach found = closest_approach(s, on);
+    const detail::ClosestApproach found = detail::closest_approach(s, on);
     INFO("round " << round);
     CHECK(distance(s.point(found.parameter), on) <= found.distance + 1e-13);
   }

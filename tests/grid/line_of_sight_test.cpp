@@ -106,8 +106,8 @@ TEST_CASE("lines of sight between all pairs of corners are what the competition'
       for (int x = 0; x <= grid.width(); ++x) {
         const Cell b{x, y};
         const bool expected = a == b || rules.allows(test::corner_of(a), test::corner_of(b));
-        if (corner_line_of_sight(grid.view(), columns.view(), a, b) != expected ||
-            corner_line_of_sight(grid.view(), columns.view(), b, a) != expected) {
+        if (detail::corner_line_of_sight(grid.view(), columns.view(), a, b) != expected ||
+            detail::corner_line_of_sight(grid.view(), columns.view(), b, a) != expected) {
           ++wrong;
         }
         seen += expected ? 1 : 0;
@@ -127,7 +127,7 @@ TEST_CASE("corners see each other along walls over many words of a row") {
   grid.set_run(1, 150, 399, true);
   const OccupancyGrid columns = detail::transposed(grid);
   const auto sees = [&](int from, int to) {
-    return corner_line_of_sight(grid.view(), columns.view(), {from, 1}, {to, 1});
+    return detail::corner_line_of_sight(grid.view(), columns.view(), {from, 1}, {to, 1});
   };
   CHECK(sees(0, 400));  // the two overlap from 150 to 199
   for (const int hole : {150, 170, 199}) {

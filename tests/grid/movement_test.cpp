@@ -30,9 +30,9 @@ TEST_CASE("the steps run counterclockwise from +x, each opposite to the fourth n
     const Cell step = steps[i], next = steps[(i + 1) % 8];
     CHECK(step.x * next.y - step.y * next.x == 1);
     CHECK(step + steps[(i + 4) % 8] == Cell{0, 0});
-    CHECK(is_diagonal(i) == (step.x != 0 && step.y != 0));
-    CHECK(step_cost(i) == octile_cost({0, 0}, step));
-    CHECK(step_cost(i) == (is_diagonal(i) ? diagonal_cost : straight_cost));
+    CHECK(detail::is_diagonal(i) == (step.x != 0 && step.y != 0));
+    CHECK(detail::step_cost(i) == octile_cost({0, 0}, step));
+    CHECK(detail::step_cost(i) == (detail::is_diagonal(i) ? diagonal_cost : straight_cost));
   }
 }
 
@@ -49,7 +49,8 @@ TEST_CASE("the octile cost is that of the cheapest walk over free cells", "[grid
           if (to.x < 0 || to.y < 0 || to.x >= size || to.y >= size) continue;
           Cost& known = cost.at(static_cast<std::size_t>(to.y)).at(static_cast<std::size_t>(to.x));
           const Cost through =
-              cost.at(static_cast<std::size_t>(y)).at(static_cast<std::size_t>(x)) + step_cost(i);
+              cost.at(static_cast<std::size_t>(y)).at(static_cast<std::size_t>(x)) +
+              detail::step_cost(i);
           if (through < known) known = through;
         }
       }

@@ -75,8 +75,10 @@ TEST_CASE("swamp and water of a MovingAI map are refused until they are said to 
   CHECK(map_complaint(header + "..W\n...\n")
             .find("line 5: expected one of . G @ O T in row 0, "
                   "column 2, found W, which") == 0);
-  CHECK(drawn(parse_moving_ai_map(text, {DirectionalTerrain::blocked}).value()) == "...\n.@@\n");
-  CHECK(drawn(parse_moving_ai_map(text, {DirectionalTerrain::free}).value()) == "...\n...\n");
+  CHECK(drawn(parse_moving_ai_map(text, {MovingAiOptions::DirectionalTerrain::blocked}).value()) ==
+        "...\n.@@\n");
+  CHECK(drawn(parse_moving_ai_map(text, {MovingAiOptions::DirectionalTerrain::free}).value()) ==
+        "...\n...\n");
 }
 
 TEST_CASE("a malformed header of a MovingAI map is reported with its line") {
@@ -262,7 +264,7 @@ TEST_CASE("failures to read a MovingAI file begin with its name") {
   const fs::path map = folder / "a.map", scenario = folder / "a.map.scen";
   REQUIRE(detail::write_file(map, header + ".G@\nSW.\n"));
   REQUIRE(detail::write_file(scenario, "version 1\n0 a 5 4 1 2 3 0\n"));
-  CHECK(read_moving_ai_map(map, {DirectionalTerrain::blocked}));
+  CHECK(read_moving_ai_map(map, {MovingAiOptions::DirectionalTerrain::blocked}));
   CHECK(read_moving_ai_map(map).error().detail.find(map.string() + ": line 6: ") == 0);
   CHECK(read_moving_ai_scenario(scenario).error().detail ==
         scenario.string() + ": line 2: expected 9 columns, found 8");

@@ -341,14 +341,14 @@ TEST_CASE("what is wrong with the image is reported by the map, too") {
 
 TEST_CASE("the grid of a map has its row 0 at the bottom and unknown cells as asked") {
   RosMap map = parse_ros_map(trinary, image).value();
-  const auto blocked = to_grid(map, UnknownCells::blocked);
+  const auto blocked = to_grid(map, RosMap::UnknownCells::blocked);
   REQUIRE(blocked);
   CHECK(blocked->width() == 3);
   CHECK(blocked->height() == 2);
   CHECK(blocked->count_free() == 2);
   CHECK(blocked->is_free(Cell{0, 0}));
   CHECK(blocked->is_free(Cell{2, 1}));
-  const auto free = to_grid(map, UnknownCells::free);
+  const auto free = to_grid(map, RosMap::UnknownCells::free);
   REQUIRE(free);
   CHECK(free->count_free() == 4);
   CHECK(free->is_free(Cell{1, 0}));
@@ -361,15 +361,15 @@ TEST_CASE("cells of a map are blocked from the asked value on") {
   map.height = 1;
   map.values = {0, 49, 50, 99, 100};
   const auto count = [&](int occupied_at) {
-    return to_grid(map, UnknownCells::blocked, occupied_at)->count_free();
+    return to_grid(map, RosMap::UnknownCells::blocked, occupied_at)->count_free();
   };
-  CHECK(to_grid(map, UnknownCells::blocked)->count_free() == 4);
+  CHECK(to_grid(map, RosMap::UnknownCells::blocked)->count_free() == 4);
   CHECK(count(100) == 4);
   CHECK(count(99) == 3);
   CHECK(count(50) == 2);
   CHECK(count(1) == 1);
   for (const int occupied_at : {0, -1, 101}) {
-    const auto grid = to_grid(map, UnknownCells::blocked, occupied_at);
+    const auto grid = to_grid(map, RosMap::UnknownCells::blocked, occupied_at);
     REQUIRE_FALSE(grid);
     CHECK(grid.error().code == PlanError::invalid_option);
     CHECK(grid.error().detail ==
@@ -382,16 +382,19 @@ TEST_CASE("a map whose values do not fit becomes no grid") {
   map.width = 2;
   map.height = 2;
   map.values = {0, 0, 0};
-  CHECK(complaint(to_grid(map, UnknownCells::free)) == "expected 2 x 2 values, found 3");
+  CHECK(complaint(to_grid(map, RosMap::UnknownCells::free)) == "expected 2 x 2 values, found 3");
   map.values = {0, 0, 0, 101};
-  CHECK(complaint(to_grid(map, UnknownCells::free)) == "values[3]: expected -1 to 100, found 101");
+  CHECK(complaint(to_grid(map, RosMap::UnknownCells::free)) ==
+        "values[3]: expected -1 to 100, found 101");
   map.values = {0, -2, 0, 0};
-  CHECK(complaint(to_grid(map, UnknownCells::free)) == "values[1]: expected -1 to 100, found -2");
+  CHECK(complaint(to_grid(map, RosMap::UnknownCells::free)) ==
+        "values[1]: expected -1 to 100, found -2");
   map.values = {};
   map.width = -2;
-  CHECK(complaint(to_grid(map, UnknownCells::free)) == "grid size is negative");
+  CHECK(complaint(to_grid(map, RosMap::UnknownCells::free)) == "grid size is negative");
   map.width = map.height = std::numeric_limits<int>::max();
-  CHECK(complaint(to_grid(map, UnknownCells::free)).find("values, found 0") != std::string::npos);
+  CHECK(complaint(to_grid(map, RosMap::UnknownCells::free)).find("values, found 0") !=
+        std::string::npos);
 }
 
 TEST_CASE("points go from the map frame to the grid frame and back") {
@@ -424,21 +427,21 @@ TEST_CASE("points go from the map frame to the grid frame and back") {
 
 TEST_CASE("a costmap is blocked from the asked cost on and where it knows nothing as asked") {
   const std::vector<std::uint8_t> costs = {0, 252, 253, 254, 255, 1};
-  const auto grid = grid_from_costmap(costs, 3, 2, 253, UnknownCells::blocked);
+  const auto grid = grid_from_costmap(costs, 3, 2, 253, RosMap::UnknownCells::blocked);
   REQUIRE(grid);
   CHECK(grid->count_free() == 3);
   CHECK(grid->is_free(Cell{1, 0}));
   CHECK_FALSE(grid->is_free(Cell{2, 0}));
   CHECK(grid->is_free(Cell{2, 1}));
-  CHECK(grid_from_costmap(costs, 3, 2, 254, UnknownCells::blocked)->count_free() == 4);
-  CHECK(grid_from_costmap(costs, 3, 2, 254, UnknownCells::free)->count_free() == 5);
-  CHECK(grid_from_costmap(costs, 3, 2, 1, UnknownCells::free)->count_free() == 2);
-  CHECK(complaint(grid_from_costmap(costs, 3, 3, 254, UnknownCells::free)) ==
+  CHECK(grid_from_costmap(costs, 3, 2, 254, RosMap::UnknownCells::blocked)->count_free() == 4);
+  CHECK(grid_from_costmap(costs, 3, 2, 254, RosMap::UnknownCells::free)->count_free() == 5);
+  CHECK(grid_from_costmap(costs, 3, 2, 1, RosMap::UnknownCells::free)->count_free() == 2);
+  CHECK(complaint(grid_from_costmap(costs, 3, 3, 254, RosMap::UnknownCells::free)) ==
         "expected 3 x 3 values, found 6");
-  CHECK(complaint(grid_from_costmap(costs, -3, -2, 254, UnknownCells::free)) ==
+  CHECK(complaint(grid_from_costmap(costs, -3, -2, 254, RosMap::UnknownCells::free)) ==
         "grid size is negative");
   for (const int blocked_at : {0, 255}) {
-    const auto refused = grid_from_costmap(costs, 3, 2, blocked_at, UnknownCells::free);
+    const auto refused = grid_from_costmap(costs, 3, 2, blocked_at, RosMap::UnknownCells::free);
     REQUIRE_FALSE(refused);
     CHECK(refused.error().code == PlanError::invalid_option);
   }
@@ -490,7 +493,7 @@ TEST_CASE("a map of damaged files is refused or has all its values") {
     CAPTURE(round);
     if (map) {
       REQUIRE(map->values.size() == static_cast<std::size_t>(map->width * map->height));
-      REQUIRE(to_grid(*map, UnknownCells::blocked));
+      REQUIRE(to_grid(*map, RosMap::UnknownCells::blocked));
       ++read;
     } else {
       REQUIRE_FALSE(map.error().detail.empty());

@@ -54,7 +54,7 @@ TEST_CASE("all three kinds of obstacles are read") {
   CHECK(std::get<Polygon>(obstacles[2]).outer.size() == 3);
   CHECK(file->scene.resolution == 0);
   CHECK(file->scene.goals.empty());
-  CHECK_FALSE(is_finite(file->scene.start));
+  CHECK_FALSE(detail::is_finite(file->scene.start));
 }
 
 TEST_CASE("unknown keys at top level are warned of, one line each") {

@@ -140,7 +140,7 @@ TEST_CASE("the mean clearance is taken over arc length, the least from the certi
   const Point line[] = {{1, 1}, {9, 3}};
   const Curve curve = Curve::polyline(line);
   const PathMetrics m = measure(curve, certify(space, curve));
-  CHECK(mean_clearance(space, curve) == Approx(2));
+  CHECK(detail::mean_clearance(space, curve) == Approx(2));
   CHECK(m.min_clearance <= 1);
   CHECK(m.min_clearance >= 1 - 1e-6);
 }

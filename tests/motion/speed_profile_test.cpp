@@ -80,7 +80,7 @@ TEST_CASE("bends are taken at the speed that the lateral limit allows, corners f
 void check_limits(const SpeedProfile& profile, const SpeedLimits& limits, Random& random) {
   const double tolerance = 1 + 1e-9;
   for (int i = 0; i < 300; ++i) {
-    const TimedPoint p = profile.at(random.uniform(0, profile.duration()));
+    const SpeedProfile::State p = profile.at(random.uniform(0, profile.duration()));
     CHECK(p.speed <= limits.max_speed * tolerance);
     CHECK(p.acceleration <= limits.max_acceleration);
     CHECK(p.acceleration >= -limits.max_deceleration);
@@ -151,7 +151,7 @@ Use use_of(const SpeedProfile& profile, const SpeedLimits& limits, Random& rando
   Use use;
   const auto raise = [](double& most, double value) { most = std::max(most, value); };
   for (int i = 0; i < times; ++i) {
-    const TimedPoint p = profile.at(random.uniform(0, duration));
+    const SpeedProfile::State p = profile.at(random.uniform(0, duration));
     raise(use.speed, p.speed < 0 ? infinity : p.speed / limits.max_speed);
     raise(use.max_lateral_acceleration,
           p.speed * p.speed * std::abs(p.curvature) / limits.max_lateral_acceleration);
@@ -160,7 +160,7 @@ Use use_of(const SpeedProfile& profile, const SpeedLimits& limits, Random& rando
     // A while later, as long as a step of a simulation or much shorter.
     const double later =
         std::min(p.time + duration * std::pow(10, random.uniform(-7, -2)), duration);
-    const TimedPoint q = profile.at(later);
+    const SpeedProfile::State q = profile.at(later);
     const double t = q.time - p.time;
     if (!(t > 0)) continue;
     const double place_error = std::abs(q.s - p.s - 0.5 * t * (p.speed + q.speed));
@@ -191,7 +191,7 @@ void check_profile(const SpeedProfile& profile, const SpeedLimits& limits, Rando
   CHECK(use.change_of_place <= tolerance);
   CHECK(use.change_of_speed <= tolerance);
 
-  const TimedPoint first = profile.at(0), last = profile.at(profile.duration());
+  const SpeedProfile::State first = profile.at(0), last = profile.at(profile.duration());
   CHECK(first.s == 0);
   CHECK(first.position == profile.curve().start());
   CHECK(first.speed == Approx(limits.start_speed).epsilon(1e-12).margin(1e-15));
@@ -203,7 +203,7 @@ void check_profile(const SpeedProfile& profile, const SpeedLimits& limits, Rando
     CHECK(last.acceleration == Approx(0).margin(1e-9));
   }
   // What is left at the very end is no more than rounding.
-  const TimedPoint almost = profile.at(profile.duration() * (1 - 1e-12));
+  const SpeedProfile::State almost = profile.at(profile.duration() * (1 - 1e-12));
   CHECK(almost.s == Approx(last.s).epsilon(1e-9));
 }
 

@@ -78,7 +78,7 @@ TEST_CASE("every search works on any space that has the operations its concept n
   runs.on<SightArchetype>(ThetaStar{}, LazyThetaStar{});
   runs.on<StepSightArchetype>(ThetaStar{}, LazyThetaStar{});
   runs.on<JumpSightArchetype>(JpsThetaStar{},
-                              JpsThetaStar{.lines_of_sight = LineOfSightUse::in_search});
+                              JpsThetaStar{.lines_of_sight = JpsThetaStar::LineOfSight::in_search});
   runs.on<ColumnArchetype>(ReaStar{}, SbReaStar{});
   runs.on<ColumnSightArchetype>(ImprovedReaStar{});
   for (const auto& search : all_searches<LatticeSpace>()) {
@@ -214,7 +214,8 @@ struct GuideArchetype {
   Cost estimate(Cell) const { return 0; }
 };
 static_assert(detail::JumpGuide<GuideArchetype> && !detail::LookBackGuide<GuideArchetype>);
-static_assert(detail::JumpScanner<PlaneScanner> && !detail::PrefetchingScanner<PlaneScanner>);
+static_assert(detail::JumpScanner<detail::PlaneScanner> &&
+              !detail::PrefetchingScanner<detail::PlaneScanner>);
 static_assert(!detail::JumpScanner<int> && !detail::JumpGuide<int> && !detail::OpenList<int>);
 static_assert(!detail::BucketHeuristic<detail::GoalEstimate> &&
               detail::BucketHeuristic<detail::ZeroHeuristic>);
@@ -223,7 +224,7 @@ TEST_CASE("jump point search takes guides of any kind") {
   const JumpArchetype space;
   detail::JumpScratchWith<detail::BinaryHeap> scratch;
   ObserverArchetype observer;
-  const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
+  const detail::PlaneScanner scanner{space.grid().view(), space.stop_planes()};
   check_route(detail::jump_search(
                   space, query, scanner, [](const detail::GridQuery&) { return GuideArchetype{}; },
                   scratch, observer, [](std::vector<Cell>&) {}),

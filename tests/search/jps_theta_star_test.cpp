@@ -23,8 +23,8 @@ using namespace tutavia;
 
 TEST_CASE("JPS_Theta* keeps the searcher contract, whenever it uses lines of sight") {
   test::searcher_contract(JpsThetaStar{});
-  test::searcher_contract(JpsThetaStar{.lines_of_sight = LineOfSightUse::in_search});
-  test::searcher_contract(JpsThetaStar{.lines_of_sight = LineOfSightUse::never});
+  test::searcher_contract(JpsThetaStar{.lines_of_sight = JpsThetaStar::LineOfSight::in_search});
+  test::searcher_contract(JpsThetaStar{.lines_of_sight = JpsThetaStar::LineOfSight::never});
 }
 
 TEST_CASE("JPS_Theta* keeps its bound and gains by lines of sight on random grids", "[soak]") {
@@ -40,11 +40,12 @@ TEST_CASE("JPS_Theta* keeps its bound and gains by lines of sight on random grid
     const auto space = CellSpace::build(test::random_grid(random, 60)).value();
     const Query query = test::random_query(random, space);
     const auto shortest = AStar{}.search(space, query, grid_scratch, no_observer);
-    const auto search = [&](LineOfSightUse use) {
+    const auto search = [&](JpsThetaStar::LineOfSight use) {
       return JpsThetaStar{.lines_of_sight = use}.search(space, query, scratch, no_observer);
     };
-    const auto never = search(LineOfSightUse::never), pruned = search(LineOfSightUse::after_search),
-               looked = search(LineOfSightUse::in_search);
+    const auto never = search(JpsThetaStar::LineOfSight::never),
+               pruned = search(JpsThetaStar::LineOfSight::after_search),
+               looked = search(JpsThetaStar::LineOfSight::in_search);
     REQUIRE(never.has_value() == shortest.has_value());
     REQUIRE(pruned.has_value() == shortest.has_value());
     REQUIRE(looked.has_value() == shortest.has_value());
@@ -77,7 +78,7 @@ TEST_CASE("with weights of at most 1 JPS_Theta* finds shortest grid paths before
   AStar::Scratch grid_scratch;
   NoObserver no_observer;
   const JpsThetaStar exact{
-      .far_weight = 1, .near_weight = 0.5, .lines_of_sight = LineOfSightUse::never};
+      .far_weight = 1, .near_weight = 0.5, .lines_of_sight = JpsThetaStar::LineOfSight::never};
   std::size_t found = 0;
   for (std::size_t round = 0; round < test::scaled(100); ++round) {
     const auto space = CellSpace::build(test::random_grid(random, 40)).value();
@@ -119,11 +120,11 @@ TEST_CASE("the map of the JPS_Theta* paper") {
   JpsThetaStar::Scratch scratch;
   const auto astar = AStar{}.search(space, query, grid_scratch, no_observer).value();
   CHECK(astar.cost == Approx(25 + 11 * std::sqrt(2.0)));  // 40.55, as the paper prints it
-  const auto never = JpsThetaStar{.lines_of_sight = LineOfSightUse::never}
+  const auto never = JpsThetaStar{.lines_of_sight = JpsThetaStar::LineOfSight::never}
                          .search(space, query, scratch, no_observer)
                          .value();
   const auto pruned = JpsThetaStar{}.search(space, query, scratch, no_observer).value();
-  const auto looked = JpsThetaStar{.lines_of_sight = LineOfSightUse::in_search}
+  const auto looked = JpsThetaStar{.lines_of_sight = JpsThetaStar::LineOfSight::in_search}
                           .search(space, query, scratch, no_observer)
                           .value();
   const auto text = [](const Route& route) {

@@ -58,8 +58,8 @@ std::size_t count_wrong(const OccupancyGrid& grid, const JumpTable& table, std::
           jump<0>(table, cell), jump<1>(table, cell), jump<2>(table, cell), jump<3>(table, cell),
           jump<4>(table, cell), jump<5>(table, cell), jump<6>(table, cell), jump<7>(table, cell)};
       for (std::size_t step = 0; step < steps.size(); ++step) {
-        const int expected =
-            is_diagonal(step) ? walk_diagonally(grid, cell, step) : walk_straight(grid, cell, step);
+        const int expected = detail::is_diagonal(step) ? walk_diagonally(grid, cell, step)
+                                                       : walk_straight(grid, cell, step);
         if (found[step] != expected) ++wrong;
         ++compared;
       }

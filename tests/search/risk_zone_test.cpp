@@ -87,7 +87,8 @@ TEST_CASE("integrals of the risk are as near as they say, in random worlds", "[s
       const auto found = zone.integral(space, p, q);
       double sum = 0;
       const int parts = 4000;
-      for (int k = 0; k < parts; ++k) sum += zone.risk(space, lerp(p, q, (k + 0.5) / parts));
+      for (int k = 0; k < parts; ++k)
+        sum += zone.risk(space, detail::lerp(p, q, (k + 0.5) / parts));
       // The midpoint rule is off by less than length^2 / (4 parts width).
       const double coarse = length * length / (4 * parts * zone.width);
       CHECK(std::abs(found.value - sum * length / parts) <= found.error + coarse + 1e-9 * length);

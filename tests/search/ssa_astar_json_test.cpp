@@ -37,7 +37,7 @@ TEST_CASE("SSA-A* keeps its bound on random grids and finds a path where there i
         CellSpace::build(test::random_grid(random, 40), {.movement = test::all_rules[round % 4]})
             .value();
     const Query query = test::random_query(random, space);
-    const SsaWeights w{random.uniform(0, 2), random.uniform(0, 2), random.uniform(0, 1)};
+    const SsaAStar::Weights w{random.uniform(0, 2), random.uniform(0, 2), random.uniform(0, 1)};
     const auto shortest = AStar{}.search(space, query, reference, no_observer);
     const auto route = SsaAStar{w}.search(space, query, scratch, no_observer);
     REQUIRE(route.has_value() == shortest.has_value());
@@ -75,7 +75,7 @@ TEST_CASE("weights tuned on some grids save expansions on others of their kind")
                                 std::span<const Query>(small.queries), training);
     INFO((tuned ? "" : tuned.error().detail));
     REQUIRE(tuned);
-    const SsaWeights& w = tuned->weights;
+    const SsaAStar::Weights& w = tuned->weights;
     double expanded = 0, of_euclidean = 0, of_octile = 0, length = 0, shortest = 0;
     SsaAStar::Scratch scratch;
     AStar::Scratch other;
@@ -111,7 +111,7 @@ TEST_CASE("weights tuned on some grids save expansions on others of their kind")
 
 TEST_CASE("SSA-A* and its training refuse what they cannot use") {
   const PaperSet set("random_20");
-  const auto refused = [&](const SsaWeights& w) {
+  const auto refused = [&](const SsaAStar::Weights& w) {
     SsaAStar::Scratch scratch;
     NoObserver no_observer;
     const auto route = SsaAStar{w}.search(set.spaces[0], set.queries[0], scratch, no_observer);

@@ -164,7 +164,7 @@ TEST_CASE("updated tangents are those prepared anew, in random worlds that chang
     if (!(world.safety_radius > 0)) continue;
     const InflatedSpace space = space_of(world);
     const Query query{.start = worlds.point(world), .goal = worlds.point(world)};
-    TangentScratch scratch;
+    detail::TangentScratch scratch;
     NoObserver no_observer;
     const auto route = TangentGraph{}.search(space, query, scratch, no_observer);
     const TangentGraph graph{.tangents =

@@ -101,10 +101,10 @@ TEST_CASE("the registry lists the smoothers that work on a space") {
 
 TEST_CASE("a planner plans on any space that its search and its smoother work on") {
   const ClearanceGridArchetype space;
-  static_assert(PlannableSpace<ClearanceGridArchetype, AStar, Shortcut>);
-  static_assert(!PlannableSpace<GridArchetype, AStar, NoSmoothing>);
-  static_assert(!PlannableSpace<ClearanceArchetype, AStar, NoSmoothing>);
-  static_assert(!PlannableSpace<ClearanceGridArchetype, AStar, TautString>);
+  static_assert(detail::PlannableSpace<ClearanceGridArchetype, AStar, Shortcut>);
+  static_assert(!detail::PlannableSpace<GridArchetype, AStar, NoSmoothing>);
+  static_assert(!detail::PlannableSpace<ClearanceArchetype, AStar, NoSmoothing>);
+  static_assert(!detail::PlannableSpace<ClearanceGridArchetype, AStar, TautString>);
   Planner planner{AStar{}, Shortcut{}};
   ObserverArchetype observer;
   const auto plan = planner.plan(space, query, observer);
@@ -112,7 +112,7 @@ TEST_CASE("a planner plans on any space that its search and its smoother work on
   CHECK(plan->curve.length() == Approx(distance(query.start, query.goal)));
   CHECK(observer.told > 0);
   CHECK(plan_batch(planner, space, std::span(&query, 1))[0]);
-  CHECK(mean_clearance(space, plan->curve) > 1e6);
+  CHECK(detail::mean_clearance(space, plan->curve) > 1e6);
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ using namespace tutavia;
 
 TEST_CASE("ClothoidSmoother keeps the smoother contract") {
   test::smoother_contract(ClothoidSmoother{}, {.longest = 1.01});
-  test::smoother_contract(ClothoidSmoother{.spirals = Spirals::cubic_beziers}, {.longest = 1.01});
+  test::smoother_contract(ClothoidSmoother{.spirals = ClothoidSmoother::Spirals::cubic_beziers},
+                          {.longest = 1.01});
   test::smoother_contract(Pipeline{TautString{}, ClothoidSmoother{}}, {.longest = 1.01});
 }
 
@@ -59,8 +60,9 @@ TEST_CASE("a gentle bend becomes a pair of clothoids that comes as near as it ma
   CHECK(smooth.length() > string.length());
   CHECK(smooth.length() < 1.002 * string.length());
   // The other kind of spirals.
-  const Curve beziers =
-      ClothoidSmoother{.spirals = Spirals::cubic_beziers}.smooth(space, route, {}).value();
+  const Curve beziers = ClothoidSmoother{.spirals = ClothoidSmoother::Spirals::cubic_beziers}
+                            .smooth(space, route, {})
+                            .value();
   CHECK(count<CubicBezier>(beziers) == 2);
   check_continuous(beziers);
   CHECK(measure(beziers).max_curvature < 1 / 0.5);
@@ -163,7 +165,8 @@ TEST_CASE("paths of continuous curvature through random worlds are proved", "[so
     const double r = space.safety_radius();
     const Curve string = TautString{}.smooth(space, Curve::polyline(task->route), {}).value();
     const test::ExactChecker checker(task->world);
-    for (const Spirals spirals : {Spirals::clothoids, Spirals::cubic_beziers}) {
+    for (const ClothoidSmoother::Spirals spirals :
+         {ClothoidSmoother::Spirals::clothoids, ClothoidSmoother::Spirals::cubic_beziers}) {
       const ClothoidSmoother smoother{.spirals = spirals};
       const Curve smooth = smoother.smooth(space, string, {}).value();
       REQUIRE(certify(space, smooth).status == ProofStatus::proved);
@@ -185,7 +188,7 @@ TEST_CASE("paths of continuous curvature through random worlds are proved", "[so
         CHECK(after.max_curvature <= before.max_curvature * (1 + 1e-9));
       }
       if (!test::winds_around_nothing(task->world, smooth, string)) ++crossed;
-      if (spirals == Spirals::cubic_beziers) continue;
+      if (spirals == ClothoidSmoother::Spirals::cubic_beziers) continue;
       ++paths;
       const double ratio = before.length > 0 ? after.length / before.length : 1;
       sum += ratio;

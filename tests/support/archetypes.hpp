@@ -159,15 +159,17 @@ static_assert(!GridSpace<LinkedArchetype> && !StepSpace<LinkedArchetype>);
 static_assert(GridSpace<GridArchetype> && SteppedSpace<GridArchetype>);
 static_assert(!ColumnSpace<GridArchetype> && !JumpSpace<GridArchetype>);
 static_assert(!StepSpace<GridArchetype> && !LineOfSightSpace<GridArchetype>);
-static_assert(ColumnSpace<ColumnArchetype> && !ColumnLineOfSightSpace<ColumnArchetype>);
-static_assert(JumpSpace<JumpArchetype> && !JumpLineOfSightSpace<JumpArchetype>);
+static_assert(ColumnSpace<ColumnArchetype> && !detail::ColumnLineOfSightSpace<ColumnArchetype>);
+static_assert(JumpSpace<JumpArchetype> && !detail::JumpLineOfSightSpace<JumpArchetype>);
 static_assert(StepSpace<StepArchetype> && SteppedSpace<StepArchetype>);
 static_assert(!GridSpace<StepArchetype> && !LineOfSightSpace<StepArchetype>);
 static_assert(LineOfSightSpace<SightArchetype> && !StepSpace<SightArchetype>);
-static_assert(!ColumnLineOfSightSpace<SightArchetype> && !JumpLineOfSightSpace<SightArchetype>);
+static_assert(!detail::ColumnLineOfSightSpace<SightArchetype> &&
+              !detail::JumpLineOfSightSpace<SightArchetype>);
 static_assert(LineOfSightSpace<StepSightArchetype> && !GridSpace<StepSightArchetype>);
-static_assert(ColumnLineOfSightSpace<ColumnSightArchetype> && !JumpSpace<ColumnSightArchetype>);
-static_assert(JumpLineOfSightSpace<JumpSightArchetype> && !ColumnSpace<JumpSightArchetype>);
+static_assert(detail::ColumnLineOfSightSpace<ColumnSightArchetype> &&
+              !JumpSpace<ColumnSightArchetype>);
+static_assert(detail::JumpLineOfSightSpace<JumpSightArchetype> && !ColumnSpace<JumpSightArchetype>);
 static_assert(ClearanceGridSpace<ClearanceGridArchetype>);
 static_assert(!FeatureSpace<ClearanceGridArchetype> && !LineOfSightSpace<ClearanceGridArchetype>);
 

@@ -58,9 +58,9 @@ class SearcherTrial {
   void finds_routes_on_the_built_in_maps() {
     for (const Scene& scene : contract_scenes()) {
       const Arena<S> map = arena<S>(scene.workspace, scene.resolution, promise_.robot);
-      AnyScratch used;
+      detail::AnyScratch used;
       for (const Point& goal : scene.goals) {
-        breaches_.at(scene.name + " to " + to_text(goal));
+        breaches_.at(scene.name + " to " + detail::to_text(goal));
         const Query query{.start = scene.start, .goal = goal};
         const Answer route = search(map.space, query, used);
         if (!breaches_.check(route.has_value(), "a route is found on a built-in map")) continue;
@@ -216,10 +216,10 @@ class SearcherTrial {
   }
 
   Answer search(const S& space, const Query& query) const {
-    AnyScratch scratch;
+    detail::AnyScratch scratch;
     return search(space, query, scratch);
   }
-  Answer search(const S& space, const Query& query, AnyScratch& scratch) const {
+  Answer search(const S& space, const Query& query, detail::AnyScratch& scratch) const {
     NoObserver no_observer;
     return search_.search(space, query, scratch, no_observer);
   }

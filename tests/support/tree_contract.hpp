@@ -25,14 +25,14 @@
 namespace tutavia::test {
 
 inline void check_trees(const detail::TreeScratch& scratch) { check_tree(scratch.tree); }
-inline void check_trees(const TwoTreesScratch& scratch) {
+inline void check_trees(const detail::TwoTreesScratch& scratch) {
   check_tree(scratch.from_start);
   check_tree(scratch.from_goal);
 }
 inline std::uint64_t fingerprint(const detail::TreeScratch& scratch) {
   return fingerprint(scratch.tree);
 }
-inline std::uint64_t fingerprint(const TwoTreesScratch& scratch) {
+inline std::uint64_t fingerprint(const detail::TwoTreesScratch& scratch) {
   return fingerprint(scratch.from_start) ^ fingerprint(scratch.from_goal) << 1;
 }
 

@@ -31,7 +31,7 @@ bool is_free(const Workspace& workspace, const Point& p) {
   for (const Obstacle& obstacle : workspace.obstacles) {
     const Polygon& polygon = std::get<Polygon>(obstacle);
     bool clear = !contains(polygon, p);
-    for_each_edge(polygon.outer, [&](const Point& a, const Point& b) {
+    detail::for_each_edge(polygon.outer, [&](const Point& a, const Point& b) {
       clear = clear && compare_distance(p, a, b, workspace.safety_radius, 0) >= 0;
     });
     if (!clear) return false;
@@ -74,7 +74,7 @@ TEST_CASE("the obstacles of every map are simple counterclockwise polygons in it
       const Polygon& polygon = std::get<Polygon>(obstacle);
       const Ring& ring = polygon.outer;
       CHECK(polygon.holes.empty());
-      CHECK(signed_area_twice(ring) > 0);
+      CHECK(detail::signed_area_twice(ring) > 0);
       for (std::size_t i = 0; i < ring.size(); ++i) {
         CHECK(scene.workspace.bounds.contains(ring[i]));
         // Convex and with area: every corner turns left.
@@ -108,8 +108,8 @@ TEST_CASE("the scenes of the sampling paper go from corner to corner, free with 
     double area = 0;  // of the rectangles
     for (const Obstacle& obstacle : scene.workspace.obstacles) {
       if (const Polygon* polygon = std::get_if<Polygon>(&obstacle)) {
-        CHECK(signed_area_twice(polygon->outer) > 0);
-        area += signed_area_twice(polygon->outer) / 2;
+        CHECK(detail::signed_area_twice(polygon->outer) > 0);
+        area += detail::signed_area_twice(polygon->outer) / 2;
       } else {
         CHECK(std::get<Disc>(obstacle).radius == 5);
       }

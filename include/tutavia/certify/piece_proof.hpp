@@ -192,7 +192,7 @@ PieceProof prove_distance(const S& space, const P& piece, double distance,
     }
   }
   const double magnitude = std::fmax(space.largest_coordinate(), piece.box().largest_coordinate());
-  const double slack = distance_rounding_error(magnitude);
+  const double slack = detail::distance_rounding_error(magnitude);
   PieceProof proof = detail::prove(space, piece, distance, slack, max_evaluations);
   // A connected path that keeps off all edges is outside all polygons or inside one. (The exact
   // test of a segment, which may touch edges at radius 0, has looked at the insides itself.)

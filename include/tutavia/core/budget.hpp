@@ -12,16 +12,16 @@
 
 namespace tutavia {
 
-/// Why a query has to end before its answer.
-enum class BudgetEnd {
-  exhausted,  ///< out of time
-  cancelled,  ///< stopped on request
-};
-
 /// Limits of one query; they hold for search, smoothing and certification alike. The default has
 /// none.
 struct Budget {
   using Clock = std::chrono::steady_clock;
+
+  /// Why a query has to end before its answer.
+  enum class End {
+    exhausted,  ///< out of time
+    cancelled,  ///< stopped on request
+  };
 
   Clock::time_point deadline = Clock::time_point::max();
   std::uint64_t max_expansions = std::numeric_limits<std::uint64_t>::max();
@@ -43,10 +43,10 @@ struct Budget {
 
   /// What ends the query now, if anything does. Reads the clock: call it once per some hundred
   /// steps.
-  std::optional<BudgetEnd> exceeded() const {
-    if (cancelled()) return BudgetEnd::cancelled;
+  std::optional<End> exceeded() const {
+    if (cancelled()) return End::cancelled;
     if (deadline != Clock::time_point::max() && Clock::now() >= deadline) {
-      return BudgetEnd::exhausted;
+      return End::exhausted;
     }
     return std::nullopt;
   }

@@ -117,15 +117,19 @@ class Expected {
   bool has_value_ = true;
 };
 
+namespace detail {
+
 /// Stands for the value of an Expected<void, E>.
 struct NoValue {};
 
+}  // namespace detail
+
 /// Success without a value, or an error.
 template <class E>
-class Expected<void, E> : public Expected<NoValue, E> {
+class Expected<void, E> : public Expected<detail::NoValue, E> {
  public:
-  Expected() : Expected<NoValue, E>(NoValue{}) {}
-  using Expected<NoValue, E>::Expected;
+  Expected() : Expected<detail::NoValue, E>(detail::NoValue{}) {}
+  using Expected<detail::NoValue, E>::Expected;
 };
 
 }  // namespace tutavia

@@ -60,9 +60,9 @@ struct Arc {
   Arc reversed() const { return {b, a, center, radius, start_angle + sweep, -sweep}; }
 
   bool is_finite() const {
-    return tutavia::is_finite(a) && tutavia::is_finite(b) && tutavia::is_finite(center) &&
-           std::isfinite(radius) && std::isfinite(start_angle) &&
-           std::abs(sweep) <= 2 * std::numbers::pi;
+    return tutavia::detail::is_finite(a) && tutavia::detail::is_finite(b) &&
+           tutavia::detail::is_finite(center) && std::isfinite(radius) &&
+           std::isfinite(start_angle) && std::abs(sweep) <= 2 * std::numbers::pi;
   }
 
   /// The parameter at which the arc has the direction of `v` from its centre, where it reaches it;
@@ -112,7 +112,7 @@ struct Arc {
   double evaluation_error() const {
     const double gap = std::fmax(distance(a, on_circle(0)), distance(b, on_circle(1)));
     const double angles = 4 + std::abs(start_angle) + std::abs(sweep);
-    return gap + 4 * 0x1p-53 * (max_magnitude(center) + radius * angles);
+    return gap + 4 * 0x1p-53 * (detail::max_magnitude(center) + radius * angles);
   }
 
  private:
@@ -125,6 +125,8 @@ struct Arc {
     return {center.x() + radius * d.x(), center.y() + radius * d.y()};
   }
 };
+
+namespace detail {
 
 /// The shortest distance between an arc and a segment and a place on the arc where it is attained,
 /// in closed form: the ends of both, the foot of the perpendicular from the centre, and where line
@@ -168,5 +170,7 @@ inline ClosestApproach closest_approach(const Arc& arc, const Segment& segment) 
   }
   return best;
 }
+
+}  // namespace detail
 
 }  // namespace tutavia

@@ -35,8 +35,6 @@ inline Point blossom(std::span<const Point> control, std::size_t k, double u, do
   return p[3];
 }
 
-}  // namespace detail
-
 /// The pieces of the cubic B-spline with clamped uniform knots: one for every four control points
 /// in a row, in whose convex hull it lies. The spline begins and ends at the first and the last
 /// control point, exactly, in the directions of the first and the last leg; pieces meet exactly,
@@ -57,5 +55,7 @@ inline std::vector<CubicBezier> bezier_pieces(std::span<const Point> control) {
   }
   return pieces;
 }
+
+}  // namespace detail
 
 }  // namespace tutavia

@@ -31,7 +31,7 @@ struct Bezier {
     if (t == 1) return end();
     auto p = points;
     for (std::size_t level = Degree; level > 0; --level) {
-      for (std::size_t i = 0; i < level; ++i) p[i] = lerp(p[i], p[i + 1], t);
+      for (std::size_t i = 0; i < level; ++i) p[i] = detail::lerp(p[i], p[i + 1], t);
     }
     return p[0];
   }
@@ -40,14 +40,14 @@ struct Bezier {
     std::array<Point, Degree> d;
     for (std::size_t i = 0; i < Degree; ++i) d[i] = points[i + 1] - points[i];
     for (std::size_t level = Degree - 1; level > 0; --level) {
-      for (std::size_t i = 0; i < level; ++i) d[i] = lerp(d[i], d[i + 1], t);
+      for (std::size_t i = 0; i < level; ++i) d[i] = detail::lerp(d[i], d[i + 1], t);
     }
     return {Degree * d[0].x(), Degree * d[0].y()};
   }
 
   Point second_derivative(double t) const {
     const Point first = second_difference(0), last = second_difference(Degree - 2);
-    const Point between = lerp(first, last, t);
+    const Point between = detail::lerp(first, last, t);
     return {Degree * (Degree - 1) * between.x(), Degree * (Degree - 1) * between.y()};
   }
 
@@ -83,7 +83,7 @@ struct Bezier {
 
   bool is_finite() const {
     return std::all_of(points.begin(), points.end(),
-                       [](const Point& p) { return tutavia::is_finite(p); });
+                       [](const Point& p) { return tutavia::detail::is_finite(p); });
   }
 
   /// Parameter of the point nearest to `p`, the smallest where several are as near; see
@@ -108,7 +108,7 @@ struct Bezier {
     Bezier result = *this;
     for (std::size_t level = 1; level <= Degree; ++level) {
       for (std::size_t i = Degree; i >= level; --i) {
-        result.points[i] = lerp(result.points[i - 1], result.points[i], t);
+        result.points[i] = detail::lerp(result.points[i - 1], result.points[i], t);
       }
     }
     return result;
@@ -124,7 +124,7 @@ struct Bezier {
       auto p = points;
       for (std::size_t level = Degree; level > 0; --level) {
         const double t = level > k ? from : to;
-        for (std::size_t i = 0; i < level; ++i) p[i] = lerp(p[i], p[i + 1], t);
+        for (std::size_t i = 0; i < level; ++i) p[i] = detail::lerp(p[i], p[i + 1], t);
       }
       result.points[k] = p[0];
     }

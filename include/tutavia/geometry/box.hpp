@@ -50,7 +50,9 @@ struct Box {
   double height() const { return max.y() - min.y(); }
 
   /// The largest coordinate's magnitude.
-  double largest_coordinate() const { return std::fmax(max_magnitude(min), max_magnitude(max)); }
+  double largest_coordinate() const {
+    return std::fmax(detail::max_magnitude(min), detail::max_magnitude(max));
+  }
 };
 
 }  // namespace tutavia

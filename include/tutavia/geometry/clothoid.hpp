@@ -95,9 +95,9 @@ struct Clothoid {
 
   /// Whether the numbers make a curve: finite, no negative length, no more than `max_turn`.
   bool is_finite() const {
-    return tutavia::is_finite(a) && tutavia::is_finite(b) && std::isfinite(start_heading) &&
-           std::isfinite(sharpness) && std::isfinite(arc_length) && arc_length >= 0 &&
-           largest_curvature() * arc_length <= max_turn;
+    return tutavia::detail::is_finite(a) && tutavia::detail::is_finite(b) &&
+           std::isfinite(start_heading) && std::isfinite(sharpness) && std::isfinite(arc_length) &&
+           arc_length >= 0 && largest_curvature() * arc_length <= max_turn;
   }
 
   /// Bound on the distance between the curve and its chord at the same parameter: that of a
@@ -116,7 +116,7 @@ struct Clothoid {
   /// sine and cosine, of the quadrature and of the sum [m].
   double rounding() const {
     const double angles = 8 + std::abs(start_heading) + largest_curvature() * arc_length;
-    return 4 * 0x1p-53 * (max_magnitude(a) + arc_length * angles);
+    return 4 * 0x1p-53 * (detail::max_magnitude(a) + arc_length * angles);
   }
   /// The same with the gap between the end as stored and as computed [m].
   double evaluation_error() const { return distance(b, on_curve(1)) + rounding(); }

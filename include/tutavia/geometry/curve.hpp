@@ -25,13 +25,6 @@ struct CurvePoint {
   double curvature = 0;  ///< 1/m, left turns positive
 };
 
-/// The place of a curve that is nearest to some point.
-struct NearestPoint {
-  double s = 0;  ///< arc length from the start [m]
-  Point position = Point::Zero();
-  double distance = 0;  ///< [m]
-};
-
 /// Largest magnitude of the curvature of a piece of any kind [1/m].
 inline double max_curvature(const Piece& piece) {
   return piece.visit([](const auto& p) { return max_curvature(p); });
@@ -83,6 +76,13 @@ double parameter_at(const P& piece, double s, double total, double guess) {
 /// length(); places outside are clamped. At a joint the later piece counts.
 class Curve {
  public:
+  /// The place of a curve that is nearest to some point.
+  struct Nearest {
+    double s = 0;  ///< arc length from the start [m]
+    Point position = Point::Zero();
+    double distance = 0;  ///< [m]
+  };
+
   Curve() = default;
 
   /// The polyline through `points`; a single point gives a curve of length 0.
@@ -152,9 +152,9 @@ class Curve {
   /// closed form on segments and arcs, by branch and bound on other pieces (tolerance: see
   /// Bezier::nearest_parameter).
   /// \pre not empty
-  NearestPoint nearest(const Point& p) const {
+  Nearest nearest(const Point& p) const {
     TUTAVIA_ASSERT(!empty());
-    NearestPoint best{0, start(), distance(p, start())};
+    Nearest best{0, start(), distance(p, start())};
     std::size_t nearest_piece = 0;
     double parameter = 0;
     const auto look_at = [&](std::size_t i, const auto& piece) {

@@ -43,17 +43,17 @@ class NaturalSpline {
   double end() const { return sites_.back(); }
   double residual_sum() const { return residual_sum_; }
   /// Whether it is the chord.
-  bool is_straight() const { return std::all_of(bends_.begin(), bends_.end(), is_zero); }
+  bool is_straight() const { return std::all_of(bends_.begin(), bends_.end(), detail::is_zero); }
 
   /// Position at t in [0, end()].
   Point point(double t) const {
     if (sites_.size() == 1) return origin_;
     const SpanParameter at = span_parameter(t);
     const double scale = at.width * at.width / 6;
-    const Point line = lerp(values_[at.span], values_[at.span + 1], at.after);
-    const Point bent = offset_along(line, scale * cubic(at.before), bends_[at.span]);
-    return offset_along(origin_, 1,
-                        offset_along(bent, scale * cubic(at.after), bends_[at.span + 1]));
+    const Point line = detail::lerp(values_[at.span], values_[at.span + 1], at.after);
+    const Point bent = detail::offset_along(line, scale * cubic(at.before), bends_[at.span]);
+    return detail::offset_along(
+        origin_, 1, detail::offset_along(bent, scale * cubic(at.after), bends_[at.span + 1]));
   }
 
   Point derivative(double t) const {
@@ -61,15 +61,16 @@ class NaturalSpline {
     const SpanParameter at = span_parameter(t);
     const Point &p = values_[at.span], &q = values_[at.span + 1];
     const Point slope{(q.x() - p.x()) / at.width, (q.y() - p.y()) / at.width};
-    const Point bent =
-        offset_along(slope, at.width / 6 * (1 - 3 * at.before * at.before), bends_[at.span]);
-    return offset_along(bent, at.width / 6 * (3 * at.after * at.after - 1), bends_[at.span + 1]);
+    const Point bent = detail::offset_along(slope, at.width / 6 * (1 - 3 * at.before * at.before),
+                                            bends_[at.span]);
+    return detail::offset_along(bent, at.width / 6 * (3 * at.after * at.after - 1),
+                                bends_[at.span + 1]);
   }
 
   Point second_derivative(double t) const {
     if (sites_.size() == 1) return Point::Zero();
     const SpanParameter at = span_parameter(t);
-    return lerp(bends_[at.span], bends_[at.span + 1], at.after);
+    return detail::lerp(bends_[at.span], bends_[at.span + 1], at.after);
   }
 
  private:

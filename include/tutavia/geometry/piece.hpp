@@ -16,6 +16,8 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// The kinds of pieces. Every kind has start(), end(), point(t), derivative(t),
 /// second_derivative(t), start_direction(), end_direction(), length(), length_to(t), box(),
 /// is_finite(), part(from, to), reversed(), nearest_parameter(p) and, where it is not straight or
@@ -23,6 +25,8 @@ namespace tutavia {
 template <class P>
 concept PieceKind = std::same_as<P, Segment> || std::same_as<P, QuadraticBezier> ||
     std::same_as<P, CubicBezier> || std::same_as<P, Arc> || std::same_as<P, Clothoid>;
+
+}  // namespace detail
 
 /// One part of a curve: what std::variant<Segment, QuadraticBezier, CubicBezier, Arc, Clothoid>
 /// would be. That costs each file that includes the header some six hundred functions, because
@@ -49,7 +53,7 @@ class Piece {
   std::size_t index() const { return index_; }
 
   /// The piece as a P, or nullptr where it is of another kind.
-  template <PieceKind P>
+  template <detail::PieceKind P>
   const P* get_if() const {
     if constexpr (std::is_same_v<P, Segment>) return index_ == 0 ? &segment_ : nullptr;
     if constexpr (std::is_same_v<P, QuadraticBezier>) return index_ == 1 ? &quadratic_ : nullptr;
@@ -57,7 +61,7 @@ class Piece {
     if constexpr (std::is_same_v<P, Arc>) return index_ == 3 ? &arc_ : nullptr;
     if constexpr (std::is_same_v<P, Clothoid>) return index_ == 4 ? &clothoid_ : nullptr;
   }
-  template <PieceKind P>
+  template <detail::PieceKind P>
   bool holds() const {
     return get_if<P>() != nullptr;
   }

@@ -22,6 +22,8 @@ using Point = Eigen::Vector2d;
 /// z component of the cross product a x b; positive when b lies to the left of a.
 inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+namespace detail {
+
 /// The point at fraction t on the way from a to b. Written out, like much in this layer: every kind
 /// of Eigen expression costs each file that includes the header some 30 ms of compilation.
 inline Point lerp(const Point& a, const Point& b, double t) {
@@ -36,11 +38,15 @@ inline Point offset_along(const Point& p, double s, const Point& v) {
 /// Whether both coordinates are 0.
 inline bool is_zero(const Point& v) { return v.x() == 0 && v.y() == 0; }
 
+}  // namespace detail
+
 /// Distance between two points.
 inline double distance(const Point& a, const Point& b) {
   const double dx = a.x() - b.x(), dy = a.y() - b.y();
   return std::sqrt(dx * dx + dy * dy);
 }
+
+namespace detail {
 
 /// `v` turned by +90 degrees.
 inline Point perpendicular(const Point& v) { return {-v.y(), v.x()}; }
@@ -51,13 +57,17 @@ inline double angle(double y, double x) {
   return std::atan2(y, x);
 }
 
+}  // namespace detail
+
 /// Direction of a vector in (-pi, pi] [rad]; 0 for the null vector.
-inline double heading(const Point& v) { return angle(v.y(), v.x()); }
+inline double heading(const Point& v) { return detail::angle(v.y(), v.x()); }
 
 /// The angle by which `from` turns into `to`, in (-pi, pi] [rad], left positive.
 inline double turn_angle(const Point& from, const Point& to) {
-  return angle(cross(from, to), from.dot(to));
+  return detail::angle(cross(from, to), from.dot(to));
 }
+
+namespace detail {
 
 inline bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 
@@ -70,5 +80,7 @@ inline std::string to_text(const Point& p) {
 
 /// The larger of the two coordinates' magnitudes.
 inline double max_magnitude(const Point& p) { return std::fmax(std::abs(p.x()), std::abs(p.y())); }
+
+}  // namespace detail
 
 }  // namespace tutavia

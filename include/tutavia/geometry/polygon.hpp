@@ -31,6 +31,8 @@ inline Polygon polyline_obstacle(Ring points) {
   return {std::move(points)};
 }
 
+namespace detail {
+
 /// Calls `visit(a, b)` for every edge of the ring, the closing one included; an edge between equal
 /// points is left out. A ring of one distinct point has the single edge (p, p).
 template <class Visit>
@@ -70,14 +72,18 @@ inline int winding_number(const Ring& ring, const Point& p) {
   return result;
 }
 
+}  // namespace detail
+
 /// Whether a point off the polygon's edges lies in its solid part. A ring that crosses itself is
 /// read so that an obstacle never shrinks: its outer ring encloses what the non-zero rule encloses
 /// (all that the even-odd rule does, and more), a hole only what the even-odd rule does.
 inline bool contains(const Polygon& polygon, const Point& p) {
-  return winding_number(polygon.outer, p) != 0 &&
+  return detail::winding_number(polygon.outer, p) != 0 &&
          std::none_of(polygon.holes.begin(), polygon.holes.end(),
-                      [&](const Ring& hole) { return winding_number(hole, p) % 2 != 0; });
+                      [&](const Ring& hole) { return detail::winding_number(hole, p) % 2 != 0; });
 }
+
+namespace detail {
 
 /// Whether all points of a ring lie on one line; decided by exact predicates.
 inline bool is_flat(const Ring& ring) {
@@ -87,8 +93,6 @@ inline bool is_flat(const Ring& ring) {
     return other == ring.end() || orientation(ring.front(), *other, p) == 0;
   });
 }
-
-namespace detail {
 
 /// An edge of a polygon, by its number and that of the edge after it along the ring.
 struct RingEdge {
@@ -149,6 +153,8 @@ inline bool is_simple(const Polygon& polygon) {
   return true;
 }
 
+namespace detail {
+
 /// Whether the point midway between u and v, computed exactly, lies in the solid part of the
 /// polygon and on none of its edges.
 inline bool contains_midpoint(const Polygon& polygon, const Point& u, const Point& v) {
@@ -195,5 +201,7 @@ inline bool interior_meets(const Polygon& polygon, const Point& p, const Point& 
   }
   return false;
 }
+
+}  // namespace detail
 
 }  // namespace tutavia

@@ -20,7 +20,9 @@ struct Segment {
   const Point& start() const { return a; }
   const Point& end() const { return b; }
   /// Exact at both ends.
-  Point point(double t) const { return t < 0.5 ? lerp(a, b, t) : lerp(b, a, 1 - t); }
+  Point point(double t) const {
+    return t < 0.5 ? detail::lerp(a, b, t) : detail::lerp(b, a, 1 - t);
+  }
   Point derivative(double) const { return b - a; }
   Point second_derivative(double) const { return Point::Zero(); }
   Point start_direction() const { return b - a; }
@@ -30,7 +32,7 @@ struct Segment {
   /// Arc length from the start to parameter t.
   double length_to(double t) const { return t * length(); }
   Box box() const { return Box::around({a, b}); }
-  bool is_finite() const { return tutavia::is_finite(a) && tutavia::is_finite(b); }
+  bool is_finite() const { return tutavia::detail::is_finite(a) && tutavia::detail::is_finite(b); }
   /// The part over [from, to], with the ends point(from) and point(to). \pre 0 <= from <= to <= 1
   Segment part(double from, double to) const {
     return {from == 0 ? a : point(from), to == 1 ? b : point(to)};
@@ -54,6 +56,8 @@ inline double distance(const Point& p, const Segment& s) {
   if (t >= square) return distance(p, s.b);
   return std::abs(cross(d, v)) / std::sqrt(square);
 }
+
+namespace detail {
 
 /// Where two segments come closest.
 struct ClosestApproach {
@@ -102,5 +106,7 @@ inline bool keeps_distance(const Segment& s, const Segment& core, double radius,
   return !segments_intersect(s.a, s.b, core.a, core.b) && keeps(s.a, core) && keeps(s.b, core) &&
          keeps(core.a, s) && keeps(core.b, s);
 }
+
+}  // namespace detail
 
 }  // namespace tutavia

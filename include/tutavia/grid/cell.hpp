@@ -18,11 +18,15 @@ struct Cell {
   friend Cell operator-(Cell a, Cell b) { return {a.x - b.x, a.y - b.y}; }
 };
 
+namespace detail {
+
 /// Twice the area of the triangle a, b, c: positive where c lies left of the line from a to b.
 /// \pre differences below 2^31
 inline std::int64_t turn(Cell a, Cell b, Cell c) {
   return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
          (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
 }
+
+}  // namespace detail
 
 }  // namespace tutavia

@@ -33,7 +33,7 @@ class CellCosts {
 
   /// What a step costs, in 1 / scale of the usual unit.
   Cost step_cost(Cell from, std::size_t step) const {
-    return tutavia::step_cost(step) * (scale + (*this)[from] + (*this)[from + steps[step]]);
+    return detail::step_cost(step) * (scale + (*this)[from] + (*this)[from + steps[step]]);
   }
 
  private:

@@ -112,8 +112,6 @@ inline bool corners_in_sight(const OccupancyGrid::View& grid, Cell a, Cell b) {
   return true;
 }
 
-}  // namespace detail
-
 /// Whether a point may go straight from one corner of cells to another: through no blocked cell's
 /// inside, not between two that share a side, and not through a corner where two touch (ends
 /// aside). It may slide along blocked cells and touch their corners.
@@ -128,5 +126,7 @@ inline bool corner_line_of_sight(const OccupancyGrid::View& rows,
   if (a == b) return true;
   return a.y == b.y ? detail::edge_is_free(grid, a, b) : detail::corners_in_sight(grid, a, b);
 }
+
+}  // namespace detail
 
 }  // namespace tutavia

@@ -35,10 +35,14 @@ inline constexpr std::array<Cell, 8> steps{
 /// A set of steps: bit i stands for `steps[i]`.
 using StepSet = std::uint8_t;
 
+namespace detail {
+
 constexpr bool is_diagonal(std::size_t step) { return step % 2 != 0; }
 constexpr Cost step_cost(std::size_t step) {
   return is_diagonal(step) ? diagonal_cost : straight_cost;
 }
+
+}  // namespace detail
 
 /// Cost of the cheapest walk between two cells when nothing is in the way.
 constexpr Cost octile_cost(Cell a, Cell b) {

@@ -27,12 +27,12 @@
 
 namespace tutavia {
 
-/// What becomes of swamp (S) and water (W). The benchmark lets them be entered from some terrain
-/// only, which no grid of free and blocked cells can say.
-enum class DirectionalTerrain { refused, blocked, free };
-
 /// Options of `parse_moving_ai_map`.
 struct MovingAiOptions {
+  /// What becomes of swamp (S) and water (W). The benchmark lets them be entered from some terrain
+  /// only, which no grid of free and blocked cells can say.
+  enum class DirectionalTerrain { refused, blocked, free };
+
   DirectionalTerrain directional = DirectionalTerrain::refused;
 };
 
@@ -183,14 +183,15 @@ inline Expected<OccupancyGrid, Failure> parse_moving_ai_map(std::string_view tex
       const std::size_t terrain = terrains.find(found);
       const bool directional = terrain >= 5;
       if (terrain >= terrains.size() ||
-          (directional && options.directional == DirectionalTerrain::refused)) {
+          (directional && options.directional == MovingAiOptions::DirectionalTerrain::refused)) {
         return lines.expected(
             "one of . G @ O T in " + row + ", column " + std::to_string(x),
             found + std::string(terrain < terrains.size() ? ", which only some neighbours may enter"
                                                           : ""));
       }
-      grid->set({x, y},
-                directional ? options.directional == DirectionalTerrain::free : terrain < 2);
+      grid->set({x, y}, directional
+                            ? options.directional == MovingAiOptions::DirectionalTerrain::free
+                            : terrain < 2);
     }
   }
   if (lines.next_filled()) return lines.expected("nothing after the last row");

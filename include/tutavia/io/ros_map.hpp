@@ -24,11 +24,11 @@
 
 namespace tutavia {
 
-/// What becomes of cells of which a map knows nothing.
-enum class UnknownCells { blocked, free };
-
 /// A map as ROS publishes it (nav_msgs/OccupancyGrid).
 struct RosMap {
+  /// What becomes of cells of which a map knows nothing.
+  enum class UnknownCells { blocked, free };
+
   int width = 0;   ///< [cells]
   int height = 0;  ///< [cells]
   /// Row by row, row 0 is the BOTTOM of the map: -1 unknown, 0 free, ..., 100 occupied.
@@ -170,7 +170,7 @@ inline Expected<RosMap, Failure> read_ros_map(const std::filesystem::path& yaml_
 /// scale mode it leaves all but the surest obstacles free. `invalid_option` for an `occupied_at`
 /// outside 1 to 100, `invalid_input` where the values are not width x height or one is outside -1
 /// to 100.
-inline Expected<OccupancyGrid, Failure> to_grid(const RosMap& map, UnknownCells unknown,
+inline Expected<OccupancyGrid, Failure> to_grid(const RosMap& map, RosMap::UnknownCells unknown,
                                                 int occupied_at = 100) {
   if (occupied_at < 1 || occupied_at > 100) {
     return fail(PlanError::invalid_option,
@@ -183,7 +183,7 @@ inline Expected<OccupancyGrid, Failure> to_grid(const RosMap& map, UnknownCells 
                                               std::to_string(map.values[i]));
   }
   return detail::make_grid(std::span(map.values), map.width, map.height, [&](int value) {
-    return value < 0 ? unknown == UnknownCells::free : value < occupied_at;
+    return value < 0 ? unknown == RosMap::UnknownCells::free : value < occupied_at;
   });
 }
 
@@ -210,13 +210,13 @@ inline Point to_map_frame(const RosMap& map, const Point& in_grid) {
 /// width x height values.
 inline Expected<OccupancyGrid, Failure> grid_from_costmap(std::span<const std::uint8_t> costs,
                                                           int width, int height, int blocked_at,
-                                                          UnknownCells unknown) {
+                                                          RosMap::UnknownCells unknown) {
   if (blocked_at < 1 || blocked_at > 254) {
     return fail(PlanError::invalid_option,
                 "blocked_at: expected 1 to 254, found " + std::to_string(blocked_at));
   }
   return detail::make_grid(costs, width, height, [&](int cost) {
-    return cost == 255 ? unknown == UnknownCells::free : cost < blocked_at;
+    return cost == 255 ? unknown == RosMap::UnknownCells::free : cost < blocked_at;
   });
 }
 

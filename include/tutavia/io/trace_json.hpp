@@ -26,7 +26,7 @@ namespace tutavia {
 ///     {"event":"edge","from":[x,y],"to":[x,y]}
 inline void append_trace(std::string& text, const ResultHeader& header, std::string_view status,
                          const SearchRecord& record) {
-  using Kind = SearchEvent::Kind;
+  using Kind = SearchRecord::Event::Kind;
   const auto add = [&](const detail::ResultJson& line) { text.append(line.dump()).append("\n"); };
   add({{"event", "search"},
        {"search", header.search},

@@ -103,7 +103,7 @@ inline nlohmann::ordered_json scene_to_json(const Scene& scene) {
   json["bounds"] = {b.min.x(), b.min.y(), b.max.x(), b.max.y()};
   json["safety_radius"] = scene.workspace.safety_radius;
   if (scene.resolution > 0) json["resolution"] = scene.resolution;
-  if (is_finite(scene.start)) json["start"] = point(scene.start);
+  if (detail::is_finite(scene.start)) json["start"] = point(scene.start);
   if (!scene.goals.empty()) json["goals"] = points(scene.goals);
   json["obstacles"] = Json::array();
   for (const Obstacle& obstacle : scene.workspace.obstacles) {

@@ -105,8 +105,8 @@ inline PathMetrics measure(const Curve& curve) {
   for (const Piece& any : curve.pieces()) {
     any.visit([&](const auto& piece) {
       using P = std::decay_t<decltype(piece)>;
-      if (is_zero(piece.start_direction())) return;  // a single point
-      if (!is_zero(heading)) {
+      if (detail::is_zero(piece.start_direction())) return;  // a single point
+      if (!detail::is_zero(heading)) {
         turns.joint(turn_angle(heading, piece.start_direction()));
         const double jump = std::abs(curvature(piece, 0) - bend);
         metrics.max_curvature_jump = std::max(metrics.max_curvature_jump, jump);
@@ -125,7 +125,7 @@ inline PathMetrics measure(const Curve& curve) {
         Point before = piece.start_direction();
         for (const double t : detail::turning_intervals(piece)) {
           const Point after = t < 1 ? piece.derivative(t) : piece.end_direction();
-          if (t == 0 || is_zero(after)) continue;
+          if (t == 0 || detail::is_zero(after)) continue;
           turns.turn(turn_angle(before, after));
           before = after;
         }
@@ -145,6 +145,8 @@ inline PathMetrics measure(const Curve& curve, const Certificate& certificate) {
   return metrics;
 }
 
+namespace detail {
+
 /// The mean clearance over arc length [m], by 256 exact clearances: on a large grid that takes many
 /// times as long as the search. \pre the curve is not empty
 template <ClearanceSpace S>
@@ -157,5 +159,7 @@ double mean_clearance(const S& space, const Curve& curve) {
   }
   return sum;
 }
+
+}  // namespace detail
 
 }  // namespace tutavia

@@ -35,17 +35,6 @@ struct SpeedLimits {
   double end_speed = 0;    ///< at most this at the end [m/s]
 };
 
-/// What a robot does at one time on its way.
-struct TimedPoint {
-  double time = 0;  ///< [s]
-  double s = 0;     ///< arc length from the start [m]
-  Point position = Point::Zero();
-  double heading = 0;       ///< [rad]
-  double curvature = 0;     ///< 1/m, left turns positive
-  double speed = 0;         ///< [m/s]
-  double acceleration = 0;  ///< along the curve [m/s^2]
-};
-
 /// A curve with the speed along it, within limits that hold everywhere on the curve, not only at
 /// samples.
 ///
@@ -66,6 +55,17 @@ struct TimedPoint {
 /// specified paths", for accelerations that do not depend on the place.
 class SpeedProfile {
  public:
+  /// What a robot does at one time on its way.
+  struct State {
+    double time = 0;  ///< [s]
+    double s = 0;     ///< arc length from the start [m]
+    Point position = Point::Zero();
+    double heading = 0;       ///< [rad]
+    double curvature = 0;     ///< 1/m, left turns positive
+    double speed = 0;         ///< [m/s]
+    double acceleration = 0;  ///< along the curve [m/s^2]
+  };
+
   /// `invalid_option` for limits that are out of range and for a start speed from which the robot
   /// cannot brake in time (with a finite jerk: from which this motion cannot), `invalid_input` for
   /// a curve that is empty or cannot be followed at any speed: one with a cusp.
@@ -75,9 +75,9 @@ class SpeedProfile {
   /// Of the whole way [s].
   double duration() const { return duration_; }
   /// The state at a time; before the start and after the end, the states there.
-  TimedPoint at(double time) const;
+  State at(double time) const;
   /// The states at equal steps of time, at most `step` apart, both ends included. \pre step > 0
-  std::vector<TimedPoint> sample(double step) const;
+  std::vector<State> sample(double step) const;
 
  private:
   /// A part of the way from one stop to the next.
@@ -157,9 +157,9 @@ inline std::vector<double> SpeedProfile::boundary_speed_limits(
       return piece.visit(
           [&](const auto& p) -> Point { return end ? p.end_direction() : p.start_direction(); });
     };
-    if (!is_zero(direction(false))) {
+    if (!detail::is_zero(direction(false))) {
       const bool is_corner =
-          !is_zero(before) && std::abs(turn_angle(before, direction(false))) > 1e-6;
+          !detail::is_zero(before) && std::abs(turn_angle(before, direction(false))) > 1e-6;
       if (is_corner) squares[at] = 0;
       before = direction(true);
     }
@@ -231,8 +231,8 @@ inline detail::ProfileState SpeedProfile::state_at(double time) const {
   return leg.drive.at(std::clamp(time - leg.time, 0.0, leg.drive.duration()));
 }
 
-inline TimedPoint SpeedProfile::at(double time) const {
-  TimedPoint point;
+inline SpeedProfile::State SpeedProfile::at(double time) const {
+  State point;
   point.time = std::clamp(time, 0.0, duration());
   const detail::ProfileState state = state_at(point.time);
   // What the intervals add up to may differ from the length by rounding.
@@ -246,10 +246,10 @@ inline TimedPoint SpeedProfile::at(double time) const {
   return point;
 }
 
-inline std::vector<TimedPoint> SpeedProfile::sample(double step) const {
+inline std::vector<SpeedProfile::State> SpeedProfile::sample(double step) const {
   TUTAVIA_ASSERT(step > 0);
   const auto count = static_cast<std::size_t>(std::ceil(duration() / step));
-  std::vector<TimedPoint> states;
+  std::vector<State> states;
   states.reserve(count + 1);
   for (std::size_t i = 0; i < count; ++i) {
     states.push_back(at(duration() * static_cast<double>(i) / static_cast<double>(count)));

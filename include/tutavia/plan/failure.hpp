@@ -65,10 +65,14 @@ constexpr std::string_view to_string(PlanError code) {
   return "unknown";
 }
 
+namespace detail {
+
 /// The code of a query that its budget has ended.
-constexpr PlanError to_error(BudgetEnd end) {
-  return end == BudgetEnd::cancelled ? PlanError::cancelled : PlanError::budget_exhausted;
+constexpr PlanError to_error(Budget::End end) {
+  return end == Budget::End::cancelled ? PlanError::cancelled : PlanError::budget_exhausted;
 }
+
+}  // namespace detail
 
 /// Why there is no plan, and what is known about it.
 struct Failure {
@@ -96,8 +100,8 @@ inline Unexpected<Failure> fail(PlanError code, std::string detail = {}) {
   failure.detail = std::move(detail);
   return {std::move(failure)};
 }
-inline Unexpected<Failure> fail(BudgetEnd end, std::string detail = {}) {
-  return fail(to_error(end), std::move(detail));
+inline Unexpected<Failure> fail(Budget::End end, std::string detail = {}) {
+  return fail(detail::to_error(end), std::move(detail));
 }
 
 }  // namespace tutavia

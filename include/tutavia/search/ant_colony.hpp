@@ -30,12 +30,16 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// What an ant colony keeps between queries: memory.
 struct AntScratch {
   std::vector<std::uint32_t> visited;  ///< the last ant on each cell
   std::vector<std::size_t> tour, best;
   std::vector<Cell> cells;
 };
+
+}  // namespace detail
 
 /// Ants walk from the start at random, never twice over a cell, sooner on where others that came to
 /// the goal have left a pheromone and where the goal is nearer; an ant that is stuck steps back.
@@ -53,7 +57,7 @@ struct AntScratch {
 /// there, see docs/algorithms.md.
 struct AntColony {
   static constexpr std::string_view name = "ant_colony";
-  using Scratch = AntScratch;
+  using Scratch = detail::AntScratch;
 
   enum class DeadEnds {
     step_back,  ///< an ant retreats until there is another way on

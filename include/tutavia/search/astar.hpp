@@ -15,14 +15,14 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// Memory of A* and Dijkstra's algorithm: of one wave, and of the general search for cell costs and
 /// other heuristics.
 struct AStarScratch {
   detail::ExpansionScratch wave;
   detail::GridGraphScratch graph;
 };
-
-namespace detail {
 
 /// `invalid_option` for cell costs of another size than the space's grid.
 template <GridSpace S>
@@ -47,7 +47,7 @@ Expected<void, Failure> check_costs(const S& space, const std::shared_ptr<const 
 /// minimum cost paths".
 struct AStar {
   static constexpr std::string_view name = "astar";
-  using Scratch = AStarScratch;
+  using Scratch = detail::AStarScratch;
 
   HeuristicKind heuristic = HeuristicKind::octile;
   std::shared_ptr<const CellCosts> costs{};  ///< surcharges; none: every cell costs the same

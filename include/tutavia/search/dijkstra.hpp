@@ -18,7 +18,7 @@ namespace tutavia {
 /// Source: Dijkstra 1959, "A note on two problems in connexion with graphs".
 struct Dijkstra {
   static constexpr std::string_view name = "dijkstra";
-  using Scratch = AStarScratch;
+  using Scratch = detail::AStarScratch;
 
   std::shared_ptr<const CellCosts> costs{};  ///< surcharges; none: every cell costs the same
 

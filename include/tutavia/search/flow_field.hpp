@@ -34,7 +34,7 @@ class FlowField {
     FlowField field;
     std::vector<detail::CellLink> seeds;
     for (const Point& goal : goals) {
-      if (auto valid = check_endpoint(space, goal, false); !valid) {
+      if (auto valid = detail::check_endpoint(space, goal, false); !valid) {
         return std::move(valid).unexpected();
       }
       const detail::CellLinks links(space.links(goal), space.frame().resolution);
@@ -78,7 +78,7 @@ class FlowField {
   /// The path from a point to the nearest goal. Errors as for a query.
   template <GridSpace S>
   Expected<Route, Failure> path(const S& space, const Point& start) const {
-    if (auto valid = check_endpoint(space, start, true); !valid) {
+    if (auto valid = detail::check_endpoint(space, start, true); !valid) {
       return std::move(valid).unexpected();
     }
     const Frame& frame = space.frame();

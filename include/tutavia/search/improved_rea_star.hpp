@@ -20,7 +20,7 @@
 namespace tutavia {
 
 /// From where ImprovedReaStar counts what a exit has cost.
-enum class PassageCost {
+enum class ExitCost {
   cumulative,  ///< from the root, by the middles of all exits on the way
   last_leg,    ///< from the middle of the exit before, as the paper's formula has it
 };
@@ -31,7 +31,7 @@ namespace detail {
 /// better a exit's direction agrees with that to the goal.
 class MidpointCost {
  public:
-  PassageCost passage_cost = PassageCost::cumulative;
+  ExitCost exit_cost = ExitCost::cumulative;
 
   void reset(Cell goal, Cost, const OccupancyGrid& grid) {
     goal_ = {static_cast<double>(goal.x), static_cast<double>(goal.y)};
@@ -47,7 +47,7 @@ class MidpointCost {
     const Point at = middle(exit.cells);
     const double leg = (at - middle(parent.cells)).norm();
     exit.g = parent.g + leg;
-    const double g = passage_cost == PassageCost::cumulative ? exit.g : leg;
+    const double g = exit_cost == ExitCost::cumulative ? exit.g : leg;
     return g + (1 + weight(exit.cells, at)) * (goal_ - at).norm();
   }
 
@@ -175,7 +175,7 @@ struct ImprovedReaStar {
   static constexpr std::string_view name = "improved_rea_star";
   using Scratch = detail::BidirectionalRectanglesScratch<detail::MidpointCost>;
 
-  PassageCost passage_cost = PassageCost::cumulative;
+  ExitCost exit_cost = ExitCost::cumulative;
   /// Whether to go on after the waves have met, until no key is below the length of a path through
   /// the middles that is known.
   bool continue_after_contact = false;
@@ -184,10 +184,10 @@ struct ImprovedReaStar {
   /// markers, and it is never shorter.
   bool funnel = true;
 
-  template <ColumnLineOfSightSpace S, Observer O = NoObserver>
+  template <detail::ColumnLineOfSightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    for (auto& wave : scratch.waves) wave.evaluation.passage_cost = passage_cost;
+    for (auto& wave : scratch.waves) wave.evaluation.exit_cost = exit_cost;
     return detail::bidirectional_rectangles(
         space, query, scratch, observer, name, continue_after_contact,
         [&](std::vector<detail::Rail>& rails, std::size_t joint, std::vector<Cell>& cells) {

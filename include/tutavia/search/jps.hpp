@@ -14,6 +14,8 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// Scans for jump points in the stop planes of a grid (see JumpScanner).
 struct PlaneScanner {
   OccupancyGrid::View grid;
@@ -56,6 +58,8 @@ struct PlaneScanner {
   }
 };
 
+}  // namespace detail
+
 /// Jump point search: A* that jumps over all cells which only continue a path. Same answers as A*
 /// in length; far faster where there is room to jump. Needs the movement rule `no_cut`, else
 /// `invalid_option`; other guarantees and errors as for AStar.
@@ -68,8 +72,9 @@ struct Jps {
   template <JumpSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
-    const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
+    if (auto valid = detail::check_no_cut(space, name); !valid)
+      return std::move(valid).unexpected();
+    const detail::PlaneScanner scanner{space.grid().view(), space.stop_planes()};
     return detail::jump_search(space, query, scanner, scratch, observer);
   }
 };

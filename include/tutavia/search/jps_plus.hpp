@@ -32,14 +32,16 @@ struct JpsPlus {
   template <GridSpace S>
   static Expected<std::shared_ptr<const JumpTable>, Failure> prepare(
       const S& space, JumpTable::Threads threads = JumpTable::Threads::one) {
-    if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
+    if (auto valid = detail::check_no_cut(space, name); !valid)
+      return std::move(valid).unexpected();
     return std::make_shared<const JumpTable>(JumpTable::build(space.grid(), threads));
   }
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
+    if (auto valid = detail::check_no_cut(space, name); !valid)
+      return std::move(valid).unexpected();
     if (table == nullptr || table->width() != space.grid().width() ||
         table->height() != space.grid().height()) {
       return fail(PlanError::invalid_option, "jps_plus needs the table prepared for this grid");

@@ -18,13 +18,6 @@
 
 namespace tutavia {
 
-/// When JpsThetaStar uses lines of sight.
-enum class LineOfSightUse {
-  never,         ///< the route is that of the weighted jump point search
-  after_search,  ///< its bends are taken out where the node before sees the node after
-  in_search,     ///< as Theta* does, a jump point's parent may be any that sees it; then as above
-};
-
 /// Jump point search guided by Chebyshev distance h with the weight `far_weight` where h exceeds
 /// `switch_distance` cells and `near_weight` elsewhere, and lines of sight that take the bends out
 /// of its path.
@@ -38,26 +31,34 @@ struct JpsThetaStar {
   static constexpr std::string_view name = "jps_theta_star";
   using Scratch = detail::JumpScratchWith<detail::BinaryHeap>;
 
+  /// When JpsThetaStar uses lines of sight.
+  enum class LineOfSight {
+    never,         ///< the route is that of the weighted jump point search
+    after_search,  ///< its bends are taken out where the node before sees the node after
+    in_search,     ///< as Theta* does, a jump point's parent may be any that sees it; then as above
+  };
+
   double far_weight = 2.0;
   double near_weight = 0.8;
   double switch_distance = 12;  ///< [cells]
-  LineOfSightUse lines_of_sight = LineOfSightUse::after_search;
+  LineOfSight lines_of_sight = LineOfSight::after_search;
 
-  template <JumpLineOfSightSpace S, Observer O = NoObserver>
+  template <detail::JumpLineOfSightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
+    if (auto valid = detail::check_no_cut(space, name); !valid)
+      return std::move(valid).unexpected();
     for (const double weight : {far_weight, near_weight}) {
       if (!(0 <= weight && weight <= 1e6)) {
         return fail(PlanError::invalid_option, "weights must lie between 0 and 10^6");
       }
     }
-    const PlaneScanner scanner{space.grid().view(), space.stop_planes()};
+    const detail::PlaneScanner scanner{space.grid().view(), space.stop_planes()};
     const auto straighten = [&](std::vector<Cell>& cells) {
-      if (lines_of_sight == LineOfSightUse::never) return;
+      if (lines_of_sight == LineOfSight::never) return;
       detail::remove_redundant(cells, [&](Cell a, Cell b) { return space.line_of_sight(a, b); });
     };
-    if (lines_of_sight == LineOfSightUse::in_search) {
+    if (lines_of_sight == LineOfSight::in_search) {
       return detail::jump_search(
           space, query, scanner,
           [&](const detail::GridQuery& linked) {

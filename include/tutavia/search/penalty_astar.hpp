@@ -86,7 +86,7 @@ struct PenaltyAStar {
                              ? 0
                              : 4 - std::abs(4 - std::abs(step - arrival));
         const auto direction = static_cast<std::size_t>(step);
-        visit(id(from + steps[direction], direction), step_cost(direction) + turn * eighth);
+        visit(id(from + steps[direction], direction), detail::step_cost(direction) + turn * eighth);
       }
       if (const auto cost = linked.exit_cost(from)) visit(target(), *cost);
     }

@@ -53,8 +53,6 @@ inline void add_nearest_safe_point(Failure& failure, const std::optional<Point>&
                     std::to_string(safe->y()) + ")";
 }
 
-}  // namespace detail
-
 /// Checks that a query may start (or end) at a point of `space`. Errors: the point is out of
 /// bounds, or blocked with the clearance there where the space knows it.
 template <FreeSpace S>
@@ -74,13 +72,17 @@ Expected<void, Failure> check_endpoint(const S& space, const Point& p, bool is_s
   return Unexpected{std::move(failure)};
 }
 
+}  // namespace detail
+
 /// Checks that a query may start and end where it says. Errors: those of `check_endpoint`, for the
 /// start first.
 template <FreeSpace S>
 Expected<void, Failure> check_query(const S& space, const Query& query) {
-  if (auto start = check_endpoint(space, query.start, true); !start) return start;
-  return check_endpoint(space, query.goal, false);
+  if (auto start = detail::check_endpoint(space, query.start, true); !start) return start;
+  return detail::check_endpoint(space, query.goal, false);
 }
+
+namespace detail {
 
 /// Checks the movement rule of `space` for a search that is defined for `no_cut` alone. Errors:
 /// `invalid_option`.
@@ -90,8 +92,6 @@ Expected<void, Failure> check_no_cut(const S& space, std::string_view search) {
   return fail(PlanError::invalid_option,
               std::string(search) + " is defined for the movement rule no_cut");
 }
-
-namespace detail {
 
 /// Checks that a query may go on after so many expansions. Errors: what the budget says.
 inline Expected<void, Failure> check_budget(const Budget& budget, std::uint64_t expanded) {

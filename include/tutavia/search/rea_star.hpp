@@ -28,6 +28,8 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// What a rectangle expansion keeps between queries: memory.
 class ReaScratch {
  public:
@@ -60,6 +62,8 @@ class ReaScratch {
   std::vector<Cell> cells;
 };
 
+}  // namespace detail
+
 /// A* over free rectangles: an interval of cells is expanded at once into the largest free
 /// rectangle that grows from it, whose inside is never looked at; the cells on its border get their
 /// exact octile distances from the interval, and the free intervals beyond its four sides go into
@@ -75,7 +79,7 @@ class ReaScratch {
 /// docs/algorithms.md.
 struct ReaStar {
   static constexpr std::string_view name = "rea_star";
-  using Scratch = ReaScratch;
+  using Scratch = detail::ReaScratch;
 
   template <ColumnSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
@@ -294,7 +298,7 @@ struct RectangleGridSearch {
 template <ColumnSpace S, Observer O>
 Expected<Route, Failure> ReaStar::search(const S& space, const Query& query, Scratch& scratch,
                                          O& observer) const {
-  if (auto valid = check_no_cut(space, name); !valid) return std::move(valid).unexpected();
+  if (auto valid = detail::check_no_cut(space, name); !valid) return std::move(valid).unexpected();
   return detail::search_grid(space, query, observer, detail::RectangleGridSearch{scratch});
 }
 

@@ -15,11 +15,15 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// What is known of a number: how far it may be from `value`.
 struct ValueWithError {
   double value = 0;
   double error = 0;
 };
+
+}  // namespace detail
 
 /// A zone of some width around free space's boundary, in which the risk falls from 1, at the safety
 /// radius, to 0.
@@ -69,7 +73,7 @@ struct RiskZone {
   /// and g at the ends of a part h metres long, the integrals differ from h (f + g) / 2 by at most
   /// (h^2 / width^2 - (g - f)^2) width / 4: by nothing on the way straight to or from an obstacle.
   template <ClearanceSpace S>
-  ValueWithError integral(const S& space, const Point& p, const Point& q) const {
+  detail::ValueWithError integral(const S& space, const Point& p, const Point& q) const {
     if (is_outside(space, p, q)) return {};
     const Segment way{p, q};
     const double length = way.length();
@@ -78,7 +82,7 @@ struct RiskZone {
 
   /// The same along a curve.
   template <ClearanceSpace S>
-  ValueWithError integral(const S& space, const Curve& curve) const {
+  detail::ValueWithError integral(const S& space, const Curve& curve) const {
     if (curve.empty()) return {};
     return integral(space, curve.length(), [&](double s) { return curve.point(s); });
   }
@@ -86,8 +90,8 @@ struct RiskZone {
   /// How much of a free curve lies in the zone [m]. Parts that the zone's rim may run through are
   /// cut down to a ten-thousandth of the length and count half.
   template <ClearanceSpace S>
-  ValueWithError length_inside(const S& space, const Curve& curve) const {
-    ValueWithError sum;
+  detail::ValueWithError length_inside(const S& space, const Curve& curve) const {
+    detail::ValueWithError sum;
     if (!curve.empty()) add_inside(space, curve, 0, curve.length(), sum);
     return sum;
   }
@@ -101,9 +105,9 @@ struct RiskZone {
 
  private:
   template <ClearanceSpace S, class PointAt>
-  ValueWithError integral(const S& space, double length, const PointAt& point_at) const {
+  detail::ValueWithError integral(const S& space, double length, const PointAt& point_at) const {
     const auto risk_at = [&](double s) { return risk(space, point_at(s)); };
-    ValueWithError sum;
+    detail::ValueWithError sum;
     add_risk(risk_at, 0, length, risk_at(0), risk_at(length), 1e-6 * length, sum);
     return sum;
   }
@@ -111,7 +115,7 @@ struct RiskZone {
   /// Adds the integral from a to b, where the risk is f and g.
   template <class RiskAt>
   void add_risk(const RiskAt& risk_at, double a, double b, double f, double g, double least,
-                ValueWithError& sum) const {
+                detail::ValueWithError& sum) const {
     const double h = b - a;
     const double error = std::max(0.0, h * h / (width * width) - (g - f) * (g - f)) * width / 4;
     if (error <= tolerance * h || h < least) {
@@ -128,7 +132,7 @@ struct RiskZone {
   /// enough on one side of the zone's rim.
   template <ClearanceSpace S>
   void add_inside(const S& space, const Curve& curve, double a, double b,
-                  ValueWithError& sum) const {
+                  detail::ValueWithError& sum) const {
     const double h = b - a, middle = a + h / 2, rim = space.safety_radius() + width;
     const Point p = curve.point(middle);
     const double clearance = space.nearest(Segment{p, p}, rim + h).distance;

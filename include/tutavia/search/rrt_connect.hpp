@@ -18,6 +18,8 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// Memory of a search that grows a tree from both ends, and the trees that it grew last.
 struct TwoTreesScratch {
   detail::SearchTree from_start, from_goal;
@@ -33,6 +35,8 @@ struct TwoTreesScratch {
   }
 };
 
+}  // namespace detail
+
 /// Trees from start and goal in turn take a step towards a random point, and the other one walks
 /// towards its end until it gets there or is stopped.
 ///
@@ -42,7 +46,7 @@ struct TwoTreesScratch {
 /// Errors: as `Rrt`; the distance told is the one between the tree from the start and the goal.
 struct RrtConnect {
   static constexpr std::string_view name = "rrt_connect";
-  using Scratch = TwoTreesScratch;
+  using Scratch = detail::TwoTreesScratch;
 
   /// Longest edge [m], at most the diagonal of the bounds; none: a 25th of their longer side.
   std::optional<double> step{};
@@ -92,7 +96,7 @@ struct RrtConnect {
   }
 
   /// Through the last nodes of both trees, which are in one place.
-  static std::vector<Point> way(const TwoTreesScratch& scratch) {
+  static std::vector<Point> way(const detail::TwoTreesScratch& scratch) {
     std::vector<Point> way = scratch.from_start.way_to(last(scratch.from_start));
     const std::vector<Point> rest = scratch.from_goal.way_to(last(scratch.from_goal));
     way.insert(way.end(), rest.rbegin() + 1, rest.rend());

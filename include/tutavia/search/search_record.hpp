@@ -12,34 +12,34 @@
 
 namespace tutavia {
 
-/// One thing that a search did.
-struct SearchEvent {
-  enum class Kind : std::uint8_t {
-    expanded,   ///< a node, at `a`
-    generated,  ///< a node, at `a`
-    interval,   ///< the cells from `a` to `b`, from which the next rectangle grows
-    rectangle,  ///< of free cells, from the lower corner `a` to the upper corner `b`
-    edge,       ///< of a tree, from `a` to `b`
-  };
-  Kind kind;
-  Point a, b;
-};
-
 /// What a search did, in order; for pictures and traces.
 struct SearchRecord {
-  bool keeps_nodes = true;  ///< whether single nodes are written down, which may be many
-  std::vector<SearchEvent> events{};
+  /// One thing that a search did.
+  struct Event {
+    enum class Kind : std::uint8_t {
+      expanded,   ///< a node, at `a`
+      generated,  ///< a node, at `a`
+      interval,   ///< the cells from `a` to `b`, from which the next rectangle grows
+      rectangle,  ///< of free cells, from the lower corner `a` to the upper corner `b`
+      edge,       ///< of a tree, from `a` to `b`
+    };
+    Kind kind;
+    Point a, b;
+  };
 
-  void expanded(const Point& p) { add_node(SearchEvent::Kind::expanded, p); }
-  void generated(const Point& p) { add_node(SearchEvent::Kind::generated, p); }
+  bool keeps_nodes = true;  ///< whether single nodes are written down, which may be many
+  std::vector<Event> events{};
+
+  void expanded(const Point& p) { add_node(Event::Kind::expanded, p); }
+  void generated(const Point& p) { add_node(Event::Kind::generated, p); }
   void on_rectangle(const Segment& interval, const Box& rectangle) {
-    events.push_back({SearchEvent::Kind::interval, interval.a, interval.b});
-    events.push_back({SearchEvent::Kind::rectangle, rectangle.min, rectangle.max});
+    events.push_back({Event::Kind::interval, interval.a, interval.b});
+    events.push_back({Event::Kind::rectangle, rectangle.min, rectangle.max});
   }
-  void edge(const Point& a, const Point& b) { events.push_back({SearchEvent::Kind::edge, a, b}); }
+  void edge(const Point& a, const Point& b) { events.push_back({Event::Kind::edge, a, b}); }
 
  private:
-  void add_node(SearchEvent::Kind kind, const Point& p) {
+  void add_node(Event::Kind kind, const Point& p) {
     if (keeps_nodes) events.push_back({kind, p, p});
   }
 };

@@ -17,17 +17,7 @@
 
 namespace tutavia {
 
-/// The heuristic w1 Chebyshev distance + w2 Euclidean distance + w3 times the share of blocked
-/// cells among the eight neighbours (those outside the map are blocked), in cells. The defaults are
-/// near to what `tune_ssa` finds on grids of 20 x 20 cells, be they random or with clustered
-/// obstacles.
-struct SsaWeights {
-  double chebyshev = 1.55;  ///< w1
-  double euclidean = 0.85;  ///< w2
-  double density = 0.7;     ///< w3
-};
-
-/// A* with the heuristic of `SsaWeights`, which overestimates: fewer expansions for a bounded loss
+/// A* with the heuristic of `Weights`, which overestimates: fewer expansions for a bounded loss
 /// of length. Cells are re-opened when a cheaper way to them is found, so the path costs at most
 /// max(1, w1 + w2) times the cheapest one and w3 cells more. `tune_ssa` finds weights for maps of a
 /// kind. Errors: `invalid_option` for a weight that is negative or more than 1000; else as for
@@ -37,7 +27,17 @@ struct SsaAStar {
   static constexpr std::string_view name = "ssa_astar";
   using Scratch = detail::GridGraphScratch;
 
-  SsaWeights weights{};
+  /// The heuristic w1 Chebyshev distance + w2 Euclidean distance + w3 times the share of blocked
+  /// cells among the eight neighbours (those outside the map are blocked), in cells. The defaults
+  /// are near to what `tune_ssa` finds on grids of 20 x 20 cells, be they random or with clustered
+  /// obstacles.
+  struct Weights {
+    double chebyshev = 1.55;  ///< w1
+    double euclidean = 0.85;  ///< w2
+    double density = 0.7;     ///< w3
+  };
+
+  Weights weights{};
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
@@ -58,7 +58,7 @@ struct SsaAStar {
   }
 
   /// `invalid_option` for weights that no search takes.
-  static Expected<void, Failure> check(const SsaWeights& weights) {
+  static Expected<void, Failure> check(const Weights& weights) {
     for (const auto& [weight, option] :
          {std::pair{weights.chebyshev, "chebyshev"}, std::pair{weights.euclidean, "euclidean"},
           std::pair{weights.density, "density"}}) {

@@ -30,6 +30,8 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// What a tangent search keeps between queries: memory.
 class TangentScratch {
  public:
@@ -54,6 +56,8 @@ class TangentScratch {
   std::vector<std::uint32_t> first;  // arrival of each node
 };
 
+}  // namespace detail
+
 /// The shortest path of a disc among polygons and discs: exact, but for a few rounding errors that
 /// its circles are larger than the safety radius.
 ///
@@ -69,7 +73,7 @@ class TangentScratch {
 /// Nilsson and Raphael 1968 (A*).
 struct TangentGraph {
   static constexpr std::string_view name = "tangent_graph";
-  using Scratch = TangentScratch;
+  using Scratch = detail::TangentScratch;
   using Prepared = TangentVisibilityGraph;
 
   /// Paths longer than this are not looked for [m].

@@ -58,7 +58,7 @@ struct BSplineSmoother {
   Expected<Curve, Failure> spline(const S& space, const std::vector<Point>& nodes,
                                   const Budget& budget) const {
     if (nodes.empty()) return Curve();
-    return detail::CornerSpline(nodes, reach * length_unit(space)).prove(space, budget);
+    return detail::CornerSpline(nodes, reach * detail::length_unit(space)).prove(space, budget);
   }
 };
 

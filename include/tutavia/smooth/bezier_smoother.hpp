@@ -119,13 +119,13 @@ struct BezierSmoother {
     if (!(std::abs(cross(u, v)) > 1e-9 * std::abs(u.dot(v))) || before == 0 || after == 0) {
       return {};
     }
-    double taken = std::min({trim * length_unit(space), before / 2, after / 2});
+    double taken = std::min({trim * detail::length_unit(space), before / 2, after / 2});
     for (int halvings = 0; halvings <= 8 && taken > 0; ++halvings, taken /= 2) {
       const CurveLocation a = location(in, before - taken, before), b = location(out, taken, after);
       if (a.parameter == 1 || b.parameter == 0) break;
       const double handle = fullness * taken;
-      const CubicBezier piece{{a.position, offset_along(a.position, handle, a.direction),
-                               offset_along(b.position, -handle, b.direction), b.position}};
+      const CubicBezier piece{{a.position, detail::offset_along(a.position, handle, a.direction),
+                               detail::offset_along(b.position, -handle, b.direction), b.position}};
       if (piece.length() <= 2 * taken && is_proved_free(space, piece)) {
         return {true, a.parameter, b.parameter, piece};
       }

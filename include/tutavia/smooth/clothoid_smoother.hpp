@@ -19,12 +19,6 @@
 
 namespace tutavia {
 
-/// The pieces along which the curvature changes.
-enum class Spirals {
-  clothoids,     ///< the curvature grows evenly with arc length
-  cubic_beziers  ///< for users who know no clothoids; see bezier_spirals
-};
-
 /// Takes a taut string away from the obstacles by a part of the safety radius, and uses that room
 /// to make its curvature continuous: every bend becomes a pair of mirrored spirals or, where it
 /// turns far, an arc between two.
@@ -43,6 +37,12 @@ enum class Spirals {
 /// the Bezier pieces; see docs/algorithms.md.
 struct ClothoidSmoother {
   static constexpr std::string_view name = "clothoid";
+
+  /// The pieces along which the curvature changes.
+  enum class Spirals {
+    clothoids,     ///< the curvature grows evenly with arc length
+    cubic_beziers  ///< for users who know no clothoids; see bezier_spirals
+  };
 
   /// How far the string may be taken from the safety zones, in safety radii; where the safety
   /// radius is 0, in spacings of the space's grid (in metres where it has none).
@@ -66,7 +66,8 @@ struct ClothoidSmoother {
     }
     auto string = taut(space, input, budget);
     if (!string || string->empty()) return string;
-    const double unit = space.safety_radius() > 0 ? space.safety_radius() : length_unit(space);
+    const double unit =
+        space.safety_radius() > 0 ? space.safety_radius() : detail::length_unit(space);
     detail::ClothoidString<S> spiral_string(space, *string,
                                             {.margin = clearance_budget * unit,
                                              .min_turning_radius = min_turning_radius,

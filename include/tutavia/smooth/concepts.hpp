@@ -24,6 +24,8 @@ concept Smoother = std::copyable<A> &&
   { a.smooth(space, curve, budget) } -> std::same_as<Expected<Curve, Failure>>;
 };
 
+namespace detail {
+
 /// The metres in a length that smoothers take in spacings of the space's grid: its resolution, 1 m
 /// where the space has no grid.
 template <FreeSpace S>
@@ -34,5 +36,7 @@ double length_unit([[maybe_unused]] const S& space) {
     return 1;
   }
 }
+
+}  // namespace detail
 
 }  // namespace tutavia

@@ -193,7 +193,7 @@ struct DeltaSmoother {
     const double length = away.norm();
     double offset = 0;
     while (offset <= arc_max_offset) {
-      const Point pushed = length > 0 ? offset_along(b, offset / length, away) : b;
+      const Point pushed = length > 0 ? detail::offset_along(b, offset / length, away) : b;
       const QuadraticBezier arc{{a, pushed, c}};
       if (is_proved_free(space, arc)) {
         result.push_back(arc);

@@ -18,9 +18,13 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// A space on which several smoothers work.
 template <class S, class... Stages>
 concept SmoothableSpace = (Smoother<Stages, S> && ...);
+
+}  // namespace detail
 
 /// Smoothers in a row, each of which gets what the one before made:
 ///
@@ -36,7 +40,7 @@ class Pipeline {
   Pipeline() = default;
   explicit Pipeline(Stages... stages) : stages_(std::move(stages)...) {}
 
-  template <SmoothableSpace<Stages...> S>
+  template <detail::SmoothableSpace<Stages...> S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     Expected<Curve, Failure> result = input;
     const auto run = [&](const auto& stage) {

@@ -50,7 +50,7 @@ struct RedundantNodeRemoval {
     auto nodes = detail::free_nodes(space, input, budget, "the removal of redundant nodes");
     if (!nodes) return Unexpected{nodes.error()};
 
-    std::optional<BudgetEnd> exceeded;
+    std::optional<Budget::End> exceeded;
     std::size_t looks = 0;
     const auto sees = [&](const Point& a, const Point& b) {
       if (looks++ % 64 == 0 && !exceeded) exceeded = budget.exceeded();

@@ -177,7 +177,7 @@ Expected<Curve, Failure> SmoothingSpline::smooth(const S& space, const Curve& in
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   if (nodes.size() < 2) return Curve::polyline(nodes);
 
-  const double unit = length_unit(space), bound = smoothing * (unit * unit);
+  const double unit = detail::length_unit(space), bound = smoothing * (unit * unit);
   detail::PiecewiseSplineFit sections(space, budget, nodes, bound, output_points - 1);
   if (const auto exceeded = sections.smooth(0, nodes.size() - 1)) {
     return fail(*exceeded, "while smoothing");

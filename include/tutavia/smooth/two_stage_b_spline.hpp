@@ -129,7 +129,7 @@ struct TwoStageBSpline {
   void move_away(const S& space, std::vector<Point>& nodes, std::size_t i) const {
     const Point shift = push(space, nodes[i]);
     for (double part = 1; part > 1.0 / 64; part /= 2) {
-      const Point moved = offset_along(nodes[i], part, shift);
+      const Point moved = detail::offset_along(nodes[i], part, shift);
       if (moved == nodes[i]) return;
       if (space.segment_free(nodes[i - 1], moved) && space.segment_free(moved, nodes[i + 1])) {
         nodes[i] = moved;
@@ -152,7 +152,7 @@ struct TwoStageBSpline {
         const Point away = p - frame.point({x, y});
         const double distance = away.norm() / frame.resolution;
         if (!(distance < d0) || distance == 0) continue;
-        sum = offset_along(sum, 1 / (a + b * std::exp(c * distance)) / distance, away);
+        sum = detail::offset_along(sum, 1 / (a + b * std::exp(c * distance)) / distance, away);
         ++count;
       }
     }

@@ -84,7 +84,7 @@ class CellSpace {
   const Box& bounds() const { return bounds_; }
   double safety_radius() const { return safety_radius_; }
   double largest_coordinate() const { return magnitude_; }
-  double distance_error_bound() const { return distance_rounding_error(magnitude_); }
+  double distance_error_bound() const { return detail::distance_rounding_error(magnitude_); }
 
   bool is_free(const Point& p) const { return segment_free(p, p); }
   bool segment_free(const Point& p, const Point& q) const;
@@ -226,7 +226,8 @@ inline bool CellSpace::segment_free(const Point& p, const Point& q) const {
   bool free = true;
   if (distance < reach) {  // a tie: to be settled exactly
     edges().for_each_near(segment, reach, [&](const Segment& edge, std::uint32_t, std::uint32_t) {
-      free = free && keeps_distance(segment, edge, 0, safety_radius_, distance_error_bound());
+      free =
+          free && detail::keeps_distance(segment, edge, 0, safety_radius_, distance_error_bound());
       return reach;
     });
   }

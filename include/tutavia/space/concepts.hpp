@@ -142,6 +142,8 @@ concept LineOfSightSpace = SteppedSpace<S> && requires(const S& s, Cell node) {
 template <class S>
 concept ClearanceGridSpace = GridSpace<S> && ClearanceSpace<S>;
 
+namespace detail {
+
 /// Rows, columns and lines of sight.
 template <class S>
 concept ColumnLineOfSightSpace = ColumnSpace<S> && LineOfSightSpace<S>;
@@ -149,5 +151,7 @@ concept ColumnLineOfSightSpace = ColumnSpace<S> && LineOfSightSpace<S>;
 /// Jump points and lines of sight.
 template <class S>
 concept JumpLineOfSightSpace = JumpSpace<S> && LineOfSightSpace<S>;
+
+}  // namespace detail
 
 }  // namespace tutavia

@@ -17,12 +17,16 @@
 
 namespace tutavia {
 
+namespace detail {
+
 /// A function that maps a point to a lower bound of its signed clearance [m] and changes by no more
 /// than the distance between two points (1-Lipschitz), as every exact clearance does.
 template <class F>
 concept ClearanceFunction = std::regular_invocable<const F&, const Point&> &&
                             std::same_as < std::invoke_result_t<const F&, const Point&>,
 double > ;
+
+}  // namespace detail
 
 /// A grid and its place in the plane.
 struct SampledGrid {
@@ -47,7 +51,7 @@ struct GridOptions {
 ///
 /// The clearance is 1-Lipschitz, so a block of nodes is decided by its centre wherever the obstacle
 /// boundary is far enough away: the work grows with the length of the boundary, not with the area.
-template <ClearanceFunction F>
+template <detail::ClearanceFunction F>
 class GridBuilder {
  public:
   /// `slack` is the rounding error of one value of `clearance` [m].
@@ -67,7 +71,7 @@ class GridBuilder {
     const Point low{std::ceil(bounds_.min.x() / delta), std::ceil(bounds_.min.y() / delta)};
     const Point high{std::floor(bounds_.max.x() / delta), std::floor(bounds_.max.y() / delta)};
     constexpr double largest = 0x1p30;
-    if (!(std::fmax(max_magnitude(low), max_magnitude(high)) < largest)) {
+    if (!(std::fmax(detail::max_magnitude(low), detail::max_magnitude(high)) < largest)) {
       return fail(PlanError::limit_exceeded,
                   "resolution " + std::to_string(delta) + " m needs more than 2^30 nodes per axis");
     }
@@ -96,7 +100,7 @@ class GridBuilder {
     void fill(Cell low, Cell high) const {
       if (low.x > high.x || low.y > high.y) return;
       const Point a = out.frame.point(low), b = out.frame.point(high);
-      const double clearance = builder.clearance_(lerp(a, b, 0.5));
+      const double clearance = builder.clearance_(detail::lerp(a, b, 0.5));
       const double reach = 0.5 * distance(a, b);
       if (clearance + reach < threshold) return;
       if (low == high || clearance - reach >= threshold) return set_free(low, high);

@@ -39,7 +39,7 @@ class InflatedSpace {
   const Box& bounds() const { return workspace_.bounds; }
   double safety_radius() const { return workspace_.safety_radius; }
   double largest_coordinate() const { return magnitude_; }
-  double distance_error_bound() const { return distance_rounding_error(magnitude_); }
+  double distance_error_bound() const { return detail::distance_rounding_error(magnitude_); }
 
   bool is_free(const Point& p) const { return segment_free(p, p); }
   bool segment_free(const Point& p, const Point& q) const;
@@ -157,10 +157,10 @@ inline InflatedSpace::InflatedSpace(Workspace workspace)
 inline void InflatedSpace::add_ring(const Ring& ring, std::uint32_t obstacle, bool is_hole,
                                     std::uint32_t& edge) {
   const std::size_t first = features_.size();
-  for_each_edge(ring, [&](const Point& a, const Point& b) {
+  detail::for_each_edge(ring, [&](const Point& a, const Point& b) {
     features_.push_back({{a, b}, 0, obstacle, edge++, 0});
   });
-  const double area = signed_area_twice(ring);
+  const double area = detail::signed_area_twice(ring);
   for (std::size_t i = first; i < features_.size(); ++i) {
     const Segment& before = features_[i == first ? features_.size() - 1 : i - 1].core;
     const Segment& after = features_[i].core;
@@ -185,8 +185,8 @@ inline bool InflatedSpace::segment_free(const Point& p, const Point& q) const {
   bool free = true;
   if (distance < reach) {  // a tie: to be settled exactly
     for_each_along(segment, reach, [&](const Feature& f) {
-      return free = free && keeps_distance(segment, f.core, f.radius, safety_radius(),
-                                           distance_error_bound());
+      return free = free && detail::keeps_distance(segment, f.core, f.radius, safety_radius(),
+                                                   distance_error_bound());
     });
   }
   return free && !is_inside(p);
@@ -204,7 +204,7 @@ inline bool InflatedSpace::segment_free_at_contact(const Point& p, const Point& 
   areas_.for_each_in(segment.box(), [&](std::uint32_t i) {
     const Polygon& polygon = std::get<Polygon>(workspace_.obstacles[i]);
     if (!free) return;
-    free = may_touch_[i] == Touch::inside_only ? !interior_meets(polygon, p, q)
+    free = may_touch_[i] == Touch::inside_only ? !detail::interior_meets(polygon, p, q)
                                                : !contains(polygon, p);
   });
   return free;

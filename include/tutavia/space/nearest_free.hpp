@@ -148,7 +148,7 @@ template <FeatureSpace S>
 std::optional<Point> nearest_free_point(const S& space, const Point& p) {
   const Box& bounds = space.bounds();
   const Point origin = bounds.clamp(p);
-  if (!is_finite(p)) return std::nullopt;
+  if (!detail::is_finite(p)) return std::nullopt;
   if (space.is_free(origin)) return origin;
   const double margin = 2 * space.distance_error_bound(), r = space.safety_radius();
   const double farthest = std::hypot(bounds.width(), bounds.height());

@@ -22,19 +22,15 @@
 
 namespace tutavia {
 
-/// The best place that a swarm found.
-struct SwarmResult {
-  std::vector<double> best{};
-  double value = std::numeric_limits<double>::infinity();
-  /// The least value known after the first positions and after each iteration.
-  std::vector<double> training{};
-};
+namespace detail {
 
 /// What a swarm minimises: a function of numbers that several threads may call at once.
 template <class F>
 concept SwarmObjective = requires(const F& value, std::span<const double> position) {
   { value(position) } -> std::convertible_to<double>;
 };
+
+}  // namespace detail
 
 /// The salp swarm algorithm: some salps lead, looking around the best place known within a reach
 /// that shrinks, the others follow one another in a chain. A heuristic without guarantees, but that
@@ -45,6 +41,14 @@ concept SwarmObjective = requires(const F& value, std::span<const double> positi
 /// Source: Mirjalili et al. 2017, "Salp swarm algorithm", equations (3.1) to (3.4); the pseudo-code
 /// of the SSA-A* paper, which is another algorithm, by `variant`.
 struct SalpSwarm {
+  /// The best place that a swarm found.
+  struct Result {
+    std::vector<double> best{};
+    double value = std::numeric_limits<double>::infinity();
+    /// The least value known after the first positions and after each iteration.
+    std::vector<double> training{};
+  };
+
   enum class Variant {
     equations,   ///< leaders and a chain of followers
     pseudo_code  ///< each salp either near the best place (within 0.3) or half-way to it
@@ -63,10 +67,10 @@ struct SalpSwarm {
   /// Errors: `invalid_option` for no population, iterations or leaders and for more leaders than
   /// salps, `invalid_input` for bounds that are not finite, reversed or of different number; what
   /// the budget says.
-  template <SwarmObjective F>
-  Expected<SwarmResult, Failure> minimise(const F& value, std::span<const double> lower,
-                                          std::span<const double> upper,
-                                          const Budget& budget = {}) const;
+  template <detail::SwarmObjective F>
+  Expected<Result, Failure> minimise(const F& value, std::span<const double> lower,
+                                     std::span<const double> upper,
+                                     const Budget& budget = {}) const;
 
  private:
   using Position = std::vector<double>;
@@ -102,7 +106,7 @@ struct SalpSwarm {
     }
   }
 
-  template <SwarmObjective F>
+  template <detail::SwarmObjective F>
   std::vector<double> values(const F& value, const std::vector<Position>& salps) const {
     std::vector<double> results(salps.size());
     detail::for_each_in_parallel(salps.size(), threads, [&] {
@@ -115,10 +119,11 @@ struct SalpSwarm {
   }
 };
 
-template <SwarmObjective F>
-Expected<SwarmResult, Failure> SalpSwarm::minimise(const F& value, std::span<const double> lower,
-                                                   std::span<const double> upper,
-                                                   const Budget& budget) const {
+template <detail::SwarmObjective F>
+Expected<SalpSwarm::Result, Failure> SalpSwarm::minimise(const F& value,
+                                                         std::span<const double> lower,
+                                                         std::span<const double> upper,
+                                                         const Budget& budget) const {
   if (auto valid = check(); !valid) return std::move(valid).unexpected();
   if (lower.empty() || lower.size() != upper.size()) {
     return fail(PlanError::invalid_input, "as many lower as upper bounds are needed");
@@ -135,7 +140,7 @@ Expected<SwarmResult, Failure> SalpSwarm::minimise(const F& value, std::span<con
   for (Position& salp : salps) {
     for (std::size_t j = 0; j < lower.size(); ++j) salp[j] = random.uniform(lower[j], upper[j]);
   }
-  SwarmResult result{.best = salps[0]};
+  Result result{.best = salps[0]};
   for (std::size_t t = 0; t <= iterations; ++t) {
     if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while a swarm searches");
     if (t > 0) move(salps, result.best, t, lower, upper, random);

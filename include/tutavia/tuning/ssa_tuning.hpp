@@ -21,7 +21,7 @@ namespace tutavia {
 
 /// Where and how weights are tuned.
 struct SsaTraining {
-  SsaWeights lower{0.5, 0.5, 0.1}, upper{2, 2, 1};  ///< what the paper searches
+  SsaAStar::Weights lower{0.5, 0.5, 0.1}, upper{2, 2, 1};  ///< what the paper searches
   SalpSwarm swarm{};
   /// Expansions, as a share of those of A*, that a path which is longer than the shortest by its
   /// whole length counts like; 0: the paper's fitness, expansions alone.
@@ -30,7 +30,7 @@ struct SsaTraining {
 
 /// Weights, and how they were found.
 struct TunedWeights {
-  SsaWeights weights{};
+  SsaAStar::Weights weights{};
   double fitness = 0;
   std::vector<double> training;  ///< the least fitness after each iteration
 };
@@ -101,7 +101,7 @@ Expected<TunedWeights, Failure> tune_ssa(std::span<const S> spaces, std::span<co
   if (!(training.length_penalty >= 0 && std::isfinite(training.length_penalty))) {
     return fail(PlanError::invalid_option, "length_penalty must be finite and not negative");
   }
-  for (const SsaWeights& bound : {training.lower, training.upper}) {
+  for (const SsaAStar::Weights& bound : {training.lower, training.upper}) {
     if (auto valid = SsaAStar::check(bound); !valid) return std::move(valid).unexpected();
   }
   auto references = detail::ssa_references(spaces, queries);

@@ -50,7 +50,7 @@ inline std::vector<Box> changed_boxes(const Workspace& before, const Workspace& 
     std::vector<Entry> entries;
     entries.reserve(workspace.obstacles.size());
     for (const Obstacle& obstacle : workspace.obstacles) {
-      entries.emplace_back(detail::numbers_of(obstacle), box_of(obstacle));
+      entries.emplace_back(detail::numbers_of(obstacle), detail::box_of(obstacle));
     }
     std::sort(entries.begin(), entries.end(), is_less);
     return entries;

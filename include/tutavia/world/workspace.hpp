@@ -26,8 +26,12 @@ struct Disc {
 /// What the robot has to keep away from.
 using Obstacle = std::variant<Polygon, Disc>;
 
+namespace detail {
+
 /// The box around an obstacle.
 Box box_of(const Obstacle& obstacle);
+
+}  // namespace detail
 
 /// Bounds, obstacles and the distance to keep from them.
 ///
@@ -86,8 +90,6 @@ inline std::string error_message(const Obstacle& obstacle, const std::string& na
   return result;
 }
 
-}  // namespace detail
-
 /// The rounding error of one distance computed from coordinates up to `magnitude`, with room to
 /// spare [m]: 16 u M. Constructions keep twice this much more than they need.
 inline double distance_rounding_error(double magnitude) { return 16 * 0x1p-53 * magnitude; }
@@ -105,10 +107,12 @@ inline Box box_of(const Obstacle& obstacle) {
   return box;
 }
 
+}  // namespace detail
+
 inline Box Workspace::extent() const {
   Box extent;
   for (const Obstacle& obstacle : obstacles) {
-    const Box box = box_of(obstacle);
+    const Box box = detail::box_of(obstacle);
     extent.include(box.min);
     extent.include(box.max);
   }
@@ -145,7 +149,7 @@ inline Expected<void, Failure> validate(const Workspace& workspace) {
     if (!error_message.empty()) return invalid(std::move(error_message));
   }
   const double r = workspace.safety_radius, magnitude = workspace.largest_coordinate();
-  if (r > 0 && 2 * distance_rounding_error(magnitude) > 1e-3 * r) {
+  if (r > 0 && 2 * detail::distance_rounding_error(magnitude) > 1e-3 * r) {
     return invalid("coordinates are too large for the safety radius: " + std::to_string(magnitude) +
                    " m against " + std::to_string(r) + " m leaves no room for rounding");
   }

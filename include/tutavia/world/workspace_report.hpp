@@ -41,9 +41,9 @@ inline WorkspaceReport inspect(const Workspace& workspace) {
     };
     count_repeated(polygon->outer);
     for (const Ring& hole : polygon->holes) count_repeated(hole);
-    const double area = signed_area_twice(polygon->outer);
+    const double area = detail::signed_area_twice(polygon->outer);
     if (area < 0) ++report.clockwise_rings;
-    if (is_flat(polygon->outer)) {
+    if (detail::is_flat(polygon->outer)) {
       report.without_area.push_back(i);
     } else if (!is_simple(*polygon)) {
       report.self_crossing.push_back(i);

@@ -29,7 +29,7 @@ TEST_CASE("SBREA* keeps the searcher contract") { test::searcher_contract(SbReaS
 
 TEST_CASE("improved REA* keeps the searcher contract") {
   test::searcher_contract(ImprovedReaStar{});
-  test::searcher_contract(ImprovedReaStar{.passage_cost = PassageCost::last_leg, .funnel = false});
+  test::searcher_contract(ImprovedReaStar{.exit_cost = ExitCost::last_leg, .funnel = false});
   test::searcher_contract(ImprovedReaStar{.continue_after_contact = true});
 }
 
@@ -108,8 +108,7 @@ TEST_CASE("rectangles from both ends find a free path where there is one", "[soa
   const std::uint64_t seed = 913;
   Random random(seed);
   const ImprovedReaStar improved, markers{.funnel = false},
-      leg{.passage_cost = PassageCost::last_leg, .funnel = false},
-      on{.continue_after_contact = true};
+      leg{.exit_cost = ExitCost::last_leg, .funnel = false}, on{.continue_after_contact = true};
   SbReaStar::Scratch sb_scratch;
   ImprovedReaStar::Scratch scratch;
   Dijkstra::Scratch reference;

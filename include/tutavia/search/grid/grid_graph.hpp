@@ -27,7 +27,7 @@ concept StepCosts = requires(const P& prices, Cell cell, std::size_t step) {
 /// Steps at their plain cost.
 struct PlainStepCosts {
   static constexpr Cost scale = 1;
-  Cost step_cost(Cell, std::size_t step) const { return tutavia::step_cost(step); }
+  Cost step_cost(Cell, std::size_t step) const { return detail::step_cost(step); }
 };
 
 /// The graph of a grid's free cells (node = cell index) and two more nodes for start and goal.

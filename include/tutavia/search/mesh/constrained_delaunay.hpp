@@ -68,7 +68,7 @@ class ConstrainedDelaunay {
  private:
   Index apex(Index e) const { return origin_[previous(e)]; }
   std::int64_t turn(Index a, Index b, Index c) const {
-    return tutavia::turn(points_[a], points_[b], points_[c]);
+    return tutavia::detail::turn(points_[a], points_[b], points_[c]);
   }
   void set(Index e, Index from, Index twin, char fixed = 0) {
     origin_[e] = from;
@@ -95,14 +95,15 @@ class ConstrainedDelaunay {
 inline ConstrainedDelaunay::Index ConstrainedDelaunay::locate(Cell p) const {
   Index e = leaving_.back();  // of the point before
   for (int sides = 0; sides < 3;) {
-    if (tutavia::turn(from(e), to(e), p) < 0) {
+    if (tutavia::detail::turn(from(e), to(e), p) < 0) {
       e = twin_[e];
       sides = 0;
     }
     e = next(e);
     ++sides;
   }
-  for (int sides = 0; sides < 3 && tutavia::turn(from(e), to(e), p) != 0; ++sides) e = next(e);
+  for (int sides = 0; sides < 3 && tutavia::detail::turn(from(e), to(e), p) != 0; ++sides)
+    e = next(e);
   return e;
 }
 
@@ -114,7 +115,7 @@ inline ConstrainedDelaunay::Index ConstrainedDelaunay::insert(Cell p) {
   const auto point = static_cast<Index>(points_.size());
   points_.push_back(p);
   leaving_.push_back(none);
-  const bool on_side = tutavia::turn(from(ab), to(ab), p) == 0;
+  const bool on_side = tutavia::detail::turn(from(ab), to(ab), p) == 0;
 
   // Three triangles for one. On a side, one of them is flat until that side is flipped.
   const Index a = origin_[ab], b = origin_[bc], c = origin_[ca];
@@ -182,7 +183,9 @@ inline bool ConstrainedDelaunay::is_illegal(Index e) const {
   const auto dot = [](Cell o, Cell a, Cell b) {
     return (std::int64_t{a.x} - o.x) * (b.x - o.x) + (std::int64_t{a.y} - o.y) * (b.y - o.y);
   };
-  return tutavia::turn(r, p, q) * dot(s, p, q) + dot(r, p, q) * tutavia::turn(s, q, p) < 0;
+  return tutavia::detail::turn(r, p, q) * dot(s, p, q) +
+             dot(r, p, q) * tutavia::detail::turn(s, q, p) <
+         0;
 }
 
 inline void ConstrainedDelaunay::legalize() {

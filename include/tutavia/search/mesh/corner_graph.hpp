@@ -7,8 +7,8 @@
 #include <cstddef>
 
 #include "tutavia/geometry/predicates.hpp"
+#include "tutavia/grid/bitboard/corner_cells.hpp"
 #include "tutavia/grid/bitboard/successors.hpp"
-#include "tutavia/grid/corner_cells.hpp"
 #include "tutavia/grid/line_of_sight.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/cell_space.hpp"

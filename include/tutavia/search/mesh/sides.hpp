@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tutavia/geometry/predicates.hpp"
-#include "tutavia/grid/corner_cells.hpp"
+#include "tutavia/grid/bitboard/corner_cells.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file

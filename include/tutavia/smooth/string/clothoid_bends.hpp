@@ -59,7 +59,8 @@ class SpiralBends {
   const TangentLine& way_to(std::size_t i) const { return bends_[bends_[i].previous].out; }
   /// The turn to the side that the circle is on [rad].
   double turn_magnitude(std::size_t i) const { return bends_[i].core.side * bends_[i].turn; }
-  /// Spirals may come a little less near than the old circle, so that few looks prove them.
+  /// ClothoidSmoother::Spirals may come a little less near than the old circle, so that few looks
+  /// prove them.
   WidenedBend widened(std::size_t i) const {
     const Bend& bend = bends_[i];
     return {circle(i), bend.core.radius, bend.core.radius + bend.margin / 64, bend.turn,

@@ -11,7 +11,7 @@
 #include "tutavia/geometry/tangent/tangent_line.hpp"
 
 /// \file
-/// Spirals in the place of one bend of a string.
+/// ClothoidSmoother::Spirals in the place of one bend of a string.
 
 namespace tutavia::detail {
 
@@ -44,7 +44,7 @@ struct WidenedBend {
 
   /// Bends that turn further have no pair [rad].
   static constexpr double widest_pair = 0.9 * std::numbers::pi;
-  /// Spirals that turn by less are no gentler than a jump of the curvature [rad].
+  /// ClothoidSmoother::Spirals that turn by less are no gentler than a jump of the curvature [rad].
   static constexpr double least_turn = 0.01;
 
   double turn_magnitude() const { return circle.side * turn; }
@@ -87,8 +87,8 @@ inline BendShape WidenedBend::gentlest_shape(double room, double least_radius) c
   return has_beziers ? arc() : spirals(room, least_radius);
 }
 
-/// Spirals on to an arc around the same centre, as long as there is room and the arc keeps off the
-/// old circle; the arc alone where they would be too short.
+/// ClothoidSmoother::Spirals on to an arc around the same centre, as long as there is room and the
+/// arc keeps off the old circle; the arc alone where they would be too short.
 inline BendShape WidenedBend::spirals(double room, double least_radius) const {
   const double least = std::max(inner_radius, least_radius);
   // What the centre is moved by is nearly as the square of the turn, and its place along the way

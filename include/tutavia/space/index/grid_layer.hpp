@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "tutavia/grid/bitboard/corner_cells.hpp"
 #include "tutavia/grid/bitboard/stop_planes.hpp"
 #include "tutavia/grid/bitboard/transposed.hpp"
-#include "tutavia/grid/corner_cells.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/links.hpp"
 #include "tutavia/world/frame.hpp"

@@ -6,7 +6,7 @@
 /// \file
 /// Corners of cells, the places where any-angle paths bend.
 
-namespace tutavia {
+namespace tutavia::detail {
 
 /// The four cells around a corner, free or not. Corner (x, y) is the lower left one of cell (x, y).
 struct CornerCells {
@@ -26,4 +26,4 @@ struct CornerCells {
   bool is_vertex() const { return !((ne == nw && sw == se) || (ne == se && nw == sw)); }
 };
 
-}  // namespace tutavia
+}  // namespace tutavia::detail
