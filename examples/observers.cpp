@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Observers: what a search tells while it runs.
+
+#include <iostream>
+#include <tutavia/tutavia.hpp>
+
+using namespace tutavia;
+
+/// Models Observer, RectangleObserver and AnytimeObserver. A search calls what it finds.
+struct Counter {
+  int nodes = 0, rectangles = 0, improvements = 0;
+
+  void expanded(const Point&) { ++nodes; }
+  void generated(const Point&) {}
+  void on_rectangle(const Segment&, const Box&) { ++rectangles; }
+  void improved(const Curve&, double) { ++improvements; }
+};
+
+int main() {
+  const Scene scene = maps::array();
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}).value();
+  const Query query{.start = scene.start, .goal = scene.goals[1], .seed = 3};
+  const auto show = [&](const auto& search) {
+    Counter counter;
+    typename std::decay_t<decltype(search)>::Scratch scratch;
+    const auto route = search.search(space, query, scratch, counter);
+    std::cout << search.name << ": " << counter.nodes << " nodes, " << counter.rectangles
+              << " rectangles, " << counter.improvements << " better paths on the way"
+              << (route ? "\n" : ", no path\n");
+  };
+  show(AStar{});
+  show(ReaStar{});
+  show(RrtStar{.iterations = 1000});
+}
