@@ -96,11 +96,7 @@ void override_workspace(const Arguments& args, Scene& scene) {
   } else if (!detail::is_finite(workspace.bounds.min)) {
     workspace.bounds = bounds_around(scene);
   }
-  if (args.resolution) {
-    scene.resolution = *args.resolution;
-  } else if (scene.resolution == 0) {
-    scene.resolution = std::max(workspace.bounds.width(), workspace.bounds.height()) / 200;
-  }
+  if (args.resolution) scene.resolution = *args.resolution;
 }
 
 void refuse_self_crossing(const Workspace& workspace) {
@@ -117,6 +113,7 @@ Task load_workspace(const Arguments& args) {
   if (args.strict) refuse_self_crossing(scene.workspace);
   LatticeSpace space =
       value_or_throw(LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}));
+  scene.resolution = space.frame().resolution;
   return {.scene = std::move(scene), .space = std::move(space)};
 }
 

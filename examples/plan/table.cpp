@@ -132,7 +132,7 @@ void print_grid(const Scene& scene, const CellSpace& space) {
 
 void print_workspace(const std::string& name, const Scene& scene) {
   std::printf("%s: safety radius %g m, lattice %g m, start %s\n", name.c_str(),
-              scene.workspace.safety_radius, scene.resolution,
+              scene.workspace.safety_radius, *scene.resolution,
               detail::to_text(scene.start).c_str());
   const WorkspaceReport report = inspect(scene.workspace);
   if (report.empty()) return;

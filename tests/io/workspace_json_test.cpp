@@ -52,7 +52,7 @@ TEST_CASE("all three kinds of obstacles are read") {
   CHECK(std::get<Polygon>(obstacles[0]).outer == Ring{{1, 2}, {3, 2}, {3, 4}, {1, 4}});
   CHECK(std::get<Disc>(obstacles[1]).radius == 0.5);
   CHECK(std::get<Polygon>(obstacles[2]).outer.size() == 3);
-  CHECK(file->scene.resolution == 0);
+  CHECK_FALSE(file->scene.resolution.has_value());
   CHECK(file->scene.goals.empty());
   CHECK_FALSE(detail::is_finite(file->scene.start));
 }

@@ -15,6 +15,13 @@ using namespace tutavia;
 static_assert(GridSpace<LatticeSpace>);
 static_assert(CornerSpace<LatticeSpace>);
 
+TEST_CASE("a lattice without a resolution has 200 steps along the larger side") {
+  const Workspace workspace{.bounds = {{0, 0}, {40, 10}}, .safety_radius = 0.3};
+  const auto space = LatticeSpace::build(workspace, {}).value();
+  CHECK(space.frame().resolution == 0.2);
+  CHECK(space.grid().width() == 201);
+}
+
 TEST_CASE("every step between free nodes is a free segment") {
   const std::uint64_t seed = 3;
   test::WorldGenerator worlds(seed);

@@ -102,7 +102,7 @@ inline nlohmann::ordered_json scene_to_json(const Scene& scene) {
   if (!scene.name.empty()) json["name"] = scene.name;
   json["bounds"] = {b.min.x(), b.min.y(), b.max.x(), b.max.y()};
   json["safety_radius"] = scene.workspace.safety_radius;
-  if (scene.resolution > 0) json["resolution"] = scene.resolution;
+  if (scene.resolution) json["resolution"] = *scene.resolution;
   if (detail::is_finite(scene.start)) json["start"] = point(scene.start);
   if (!scene.goals.empty()) json["goals"] = points(scene.goals);
   json["obstacles"] = Json::array();

@@ -47,9 +47,9 @@ struct ClothoidSmoother {
   /// How far the string may be taken from the safety zones, in safety radii; where the safety
   /// radius is 0, in spacings of the space's grid (in metres where it has none).
   double clearance_budget = 0.1;
-  /// [m]; 0: none. Bends around obstacles of which the zone is rounder than that are taken wider,
+  /// [m]. Bends around obstacles of which the zone is rounder than that are taken wider,
   /// and where that is not free or the ways between bends are too short, smoothing fails.
-  double min_turning_radius = 0;
+  std::optional<double> min_turning_radius{};
   Spirals spirals = Spirals::clothoids;
 
   /// Errors: `invalid_option` for options that are negative or not finite, `invalid_input` for a
@@ -57,8 +57,9 @@ struct ClothoidSmoother {
   /// turning radius cannot be kept, what the budget says.
   template <FeatureSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
-    for (const auto& [value, option] : {std::pair{clearance_budget, "clearance_budget"},
-                                        std::pair{min_turning_radius, "min_turning_radius"}}) {
+    for (const auto& [value, option] :
+         {std::pair{clearance_budget, "clearance_budget"},
+          std::pair{min_turning_radius.value_or(0), "min_turning_radius"}}) {
       if (!(value >= 0 && std::isfinite(value))) {
         return fail(PlanError::invalid_option,
                     std::string(option) + " must be finite and not negative");
@@ -70,7 +71,7 @@ struct ClothoidSmoother {
         space.safety_radius() > 0 ? space.safety_radius() : detail::length_unit(space);
     detail::ClothoidString<S> spiral_string(space, *string,
                                             {.margin = clearance_budget * unit,
-                                             .min_turning_radius = min_turning_radius,
+                                             .min_turning_radius = min_turning_radius.value_or(0),
                                              .has_beziers = spirals == Spirals::cubic_beziers});
     if (auto failure = spiral_string.widen(budget)) {
       if (failure->code == PlanError::not_proved && spiral_string.was_gentle()) return string;

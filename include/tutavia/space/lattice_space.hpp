@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "tutavia/grid/occupancy_grid.hpp"
@@ -15,9 +17,11 @@
 
 namespace tutavia {
 
-/// How to lay the lattice; every field but the resolution has a default.
+/// How to lay the lattice.
 struct LatticeOptions {
-  double resolution = 0;  ///< spacing delta of the nodes (i delta, j delta) [m]
+  /// Spacing delta of the nodes (i delta, j delta) [m]. Not given: the larger side of the bounds /
+  /// 200.
+  std::optional<double> resolution{};
   MovementRule movement = MovementRule::no_cut;    ///< any rule is safe on a lattice
   std::int64_t max_nodes = std::int64_t{1} << 28;  ///< more than these: limit_exceeded
 };
@@ -35,7 +39,8 @@ class LatticeSpace {
     auto space = InflatedSpace::build(workspace);
     if (!space) return Unexpected{space.error()};
     auto sampled = grid_builder(*space).build(
-        {.resolution = options.resolution, .max_nodes = options.max_nodes});
+        {.resolution = options.resolution.value_or(default_resolution(workspace.bounds)),
+         .max_nodes = options.max_nodes});
     if (!sampled) return Unexpected{sampled.error()};
     return LatticeSpace(std::move(*space), detail::GridLayer(std::move(sampled->grid),
                                                              sampled->frame, options.movement));
@@ -85,6 +90,10 @@ class LatticeSpace {
   }
 
  private:
+  static double default_resolution(const Box& bounds) {
+    return std::max(bounds.width(), bounds.height()) / 200;
+  }
+
   LatticeSpace(InflatedSpace space, detail::GridLayer layer)
       : inflated_(std::move(space)), layer_(std::move(layer)) {}
 

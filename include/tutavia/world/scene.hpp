@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct Scene {
   Point start{std::numeric_limits<double>::quiet_NaN(),
               std::numeric_limits<double>::quiet_NaN()};  ///< NaN: not given
   std::vector<Point> goals{};
-  double resolution = 0;  ///< lattice spacing [m]; 0: not given
+  std::optional<double> resolution{};  ///< lattice spacing [m]
 };
 
 }  // namespace tutavia
