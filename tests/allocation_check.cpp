@@ -45,9 +45,17 @@ using namespace tutavia;
 
 int failures = 0;
 
+/// Says what was wrong; a run without failures says nothing.
+void require(bool holds, const char* what, const char* why) {
+  if (holds) return;
+  std::fprintf(stderr, "%s: %s\n", what, why);
+  ++failures;
+}
+
 void expect(const char* what, std::size_t counted, std::size_t allowed) {
-  std::printf("%-40s %zu allocations, %zu allowed\n", what, counted, allowed);
-  if (counted > allowed) ++failures;
+  if (counted <= allowed) return;
+  std::fprintf(stderr, "%s: %zu allocations, %zu allowed\n", what, counted, allowed);
+  ++failures;
 }
 
 template <class A>
@@ -61,12 +69,14 @@ void check_search(const char* what, const LatticeSpace& space, const Scene& scen
   std::size_t warm = allocations;
   const auto route = A{}.search(space, query, scratch, no_observer);
   warm = allocations - warm;
-  if (!route || cold <= warm) ++failures;
+  require(route.has_value(), what, "no route");
+  if (!route) return;
+  require(cold > warm, what, "the first query allocates no more than the second");
   expect(what, warm, 2);  // the route's pieces and their lengths
 
   const std::size_t before = allocations;
   const Certificate certificate = certify(space, route->curve);
-  if (certificate.status != ProofStatus::proved) ++failures;
+  require(certificate.status == ProofStatus::proved, what, "a route that is not proved");
   expect("certificate", allocations - before, 0);
 }
 

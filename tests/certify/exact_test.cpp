@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Paths and certificates before an exact judge. TUTAVIA_TEST_SCALE makes these a soak.
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 
 #include "support/catch.hpp"
@@ -80,6 +81,48 @@ double least_distance(const Workspace& world, const Piece& piece) {
   return std::min({at(0), at(1), at(0.5 * (low + high))});
 }
 
+/// A point of a square of this size.
+Point random_point(Random& random, double scale) {
+  const double x = random.uniform(0, scale);
+  return {x, random.uniform(0, scale)};
+}
+
+/// A disc, a wall or a triangle, in bounds that matter to no piece near it.
+Workspace world_of_one_obstacle(Random& random, double scale) {
+  const auto point = [&] { return random_point(random, scale); };
+  Workspace world{.bounds = {{-scale, -scale}, {3 * scale, 3 * scale}}};
+  switch (random.below(3)) {
+    case 0:
+      world.obstacles.emplace_back(Disc{point(), random.uniform(0, 0.1 * scale)});
+      break;
+    case 1:
+      world.obstacles.emplace_back(Polygon{{point(), point()}});
+      break;
+    default:
+      world.obstacles.emplace_back(Polygon{{point(), point(), point()}});
+  }
+  return world;
+}
+
+/// A segment, a Bezier piece of either degree, a clothoid or an arc, by its kind from 0 to 4.
+Piece random_piece(Random& random, std::size_t kind, double scale) {
+  const auto point = [&] { return random_point(random, scale); };
+  switch (kind) {
+    case 0:
+      return Segment{point(), point()};
+    case 1:
+      return QuadraticBezier{{point(), point(), point()}};
+    case 2:
+      return CubicBezier{{point(), point(), point(), point()}};
+    case 3:
+      return Clothoid::from(point(), random.uniform(-4, 4), random.uniform(-8, 8) / scale,
+                            random.uniform(-16, 16) / (scale * scale), random.uniform(0, scale));
+    default:
+      return Arc::around(point(), random.uniform(0, 0.5 * scale), random.uniform(-4, 4),
+                         random.uniform(-6, 6));
+  }
+}
+
 TEST_CASE("no verdict on a piece next to the safety radius is wrong", "[soak]") {
   const std::uint64_t seed = 200;
   Random random(seed);
@@ -90,38 +133,8 @@ TEST_CASE("no verdict on a piece next to the safety radius is wrong", "[soak]") 
   for (std::size_t round = 0; round < rounds; ++round) {
     INFO("seed " << seed << ", round " << round);
     const double scale = round % 5 == 0 ? 1e3 : 10;
-    const auto point = [&] { return Point{random.uniform(0, scale), random.uniform(0, scale)}; };
-    Workspace world{.bounds = {{-1e5, -1e5}, {1e5, 1e5}}};
-    switch (random.below(3)) {
-      case 0:
-        world.obstacles.emplace_back(Disc{point(), random.uniform(0, 0.1 * scale)});
-        break;
-      case 1:
-        world.obstacles.emplace_back(Polygon{{point(), point()}});
-        break;
-      default:
-        world.obstacles.emplace_back(Polygon{{point(), point(), point()}});
-    }
-    world.bounds = {{-scale, -scale}, {3 * scale, 3 * scale}};
-    Piece piece;
-    switch (round % 5) {
-      case 0:
-        piece = Segment{point(), point()};
-        break;
-      case 1:
-        piece = QuadraticBezier{{point(), point(), point()}};
-        break;
-      case 2:
-        piece = CubicBezier{{point(), point(), point(), point()}};
-        break;
-      case 3:
-        piece = Clothoid::from(point(), random.uniform(-4, 4), random.uniform(-8, 8) / scale,
-                               random.uniform(-16, 16) / (scale * scale), random.uniform(0, scale));
-        break;
-      default:
-        piece = Arc::around(point(), random.uniform(0, 0.5 * scale), random.uniform(-4, 4),
-                            random.uniform(-6, 6));
-    }
+    Workspace world = world_of_one_obstacle(random, scale);
+    const Piece piece = random_piece(random, round % 5, scale);
     const double distance = least_distance(world, piece);
     if (!(distance > 0.01 * scale)) continue;
     const int decade = static_cast<int>(random.below(decades));

@@ -207,6 +207,34 @@ void check_profile(const SpeedProfile& profile, const SpeedLimits& limits, Rando
   CHECK(almost.s == Approx(last.s).epsilon(1e-9));
 }
 
+/// Six arcs that continue each other without a corner.
+Curve chain_of_arcs(Random& random) {
+  Curve arcs;
+  for (int i = 0; i < 6; ++i) {
+    const Point at = arcs.empty() ? Point(1, 1) : arcs.end();
+    const double before = arcs.empty() ? 0 : arcs.heading(arcs.length());
+    const double radius = random.uniform(0.1, 3), sweep = random.uniform(-3, 3);
+    const double out = before + (sweep > 0 ? -pi / 2 : pi / 2);  // from the centre
+    const Point centre = at - radius * Point(std::cos(out), std::sin(out));
+    Arc arc = Arc::around(centre, radius, out, sweep);
+    arc.a = at;
+    arcs.push_back(arc);
+  }
+  return arcs;
+}
+
+/// A route, what smoothers make of it, and arcs.
+std::vector<Curve> curves_of_all_kinds(const InflatedSpace& space, const Curve& route,
+                                       Random& random) {
+  const double size = space.bounds().width();
+  return {route,
+          TautString{}.smooth(space, route, {}).value(),
+          BezierSmoother{}.smooth(space, route, {}).value(),
+          DeltaSmoother{.join = DeltaSmoother::Join::tangent}.smooth(space, route, {}).value(),
+          BSplineSmoother{.reach = size / 20}.smooth(space, route, {}).value(),
+          chain_of_arcs(random)};
+}
+
 TEST_CASE("profiles of curves of every kind keep all limits at any time, with and without jerk",
           "[soak]") {
   const std::uint64_t seed = 620;
@@ -221,25 +249,7 @@ TEST_CASE("profiles of curves of every kind keep all limits at any time, with an
     const auto space = InflatedSpace::build(task->world).value();
     const Curve route = Curve::polyline(task->route);
     if (!(route.length() > 0)) continue;
-    Curve arcs;
-    for (int i = 0; i < 6; ++i) {
-      const Point at = arcs.empty() ? Point(1, 1) : arcs.end();
-      const double before = arcs.empty() ? 0 : arcs.heading(arcs.length());
-      const double radius = random.uniform(0.1, 3), sweep = random.uniform(-3, 3);
-      const double out = before + (sweep > 0 ? -pi / 2 : pi / 2);  // from the centre
-      const Point centre = at - radius * Point(std::cos(out), std::sin(out));
-      Arc arc = Arc::around(centre, radius, out, sweep);
-      arc.a = at;
-      arcs.push_back(arc);
-    }
-    const double size = task->world.bounds.width();
-    const Curve curves[] = {
-        route,
-        TautString{}.smooth(space, route, {}).value(),
-        BezierSmoother{}.smooth(space, route, {}).value(),
-        DeltaSmoother{.join = DeltaSmoother::Join::tangent}.smooth(space, route, {}).value(),
-        BSplineSmoother{.reach = size / 20}.smooth(space, route, {}).value(),
-        arcs};
+    const std::vector<Curve> curves = curves_of_all_kinds(space, route, random);
     SpeedLimits limits{.speed = random.uniform(0.2, 3),
                        .acceleration = random.uniform(0.1, 2),
                        .max_deceleration = random.uniform(0.1, 2),

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/search/astar.hpp"
 
+#include <cstdint>
+#include <memory>
+
+#include "support/check_route.hpp"
+#include "support/explicit_graph.hpp"
+#include "support/random_grids.hpp"
+#include "support/random_query.hpp"
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
 #include "tutavia/search/dijkstra.hpp"
+#include "tutavia/space/cell_space.hpp"
 #include "tutavia/world/maps.hpp"
 
 namespace {
@@ -73,6 +81,59 @@ TEST_CASE("A* on the built-in maps finds the lengths known for a tolerant lattic
   CHECK(length(maps::array(), 1) == Approx(17.4083).margin(1e-4));
   CHECK(length(maps::maze(), 0) == Approx(20.7865).margin(1e-4));
   CHECK(length(maps::maze(), 2) == Approx(18.8794).margin(1e-4));
+}
+
+TEST_CASE("searches with cell costs find the explicit graph's price") {
+  const std::uint64_t seed = 420;
+  Random random(seed);
+  AStar::Scratch astar;
+  Dijkstra::Scratch dijkstra;
+  NoObserver no_observer;
+  std::size_t found = 0;
+  for (std::size_t round = 0; round < test::scaled(100); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const auto space = CellSpace::build(test::random_grid(random, 30), {.resolution = 0.5}).value();
+    auto costs = std::make_shared<CellCosts>(space.grid());
+    for (int y = 0; y < costs->height(); ++y) {
+      for (int x = 0; x < costs->width(); ++x) {
+        costs->set({x, y}, static_cast<std::uint8_t>(random.below(256)));
+      }
+    }
+    const Query query = test::random_query(random, space);
+    if (!space.is_free(query.start) || !space.is_free(query.goal)) continue;
+    const auto expected = test::explicit_cost(space, query, costs.get());
+    found += expected.has_value();
+    test::check_route(space, query, AStar{.costs = costs}.search(space, query, astar, no_observer),
+                      expected, 1e-7);
+    test::check_route(space, query, Dijkstra{costs}.search(space, query, dijkstra, no_observer),
+                      expected, 1e-7);
+  }
+  CHECK(found > test::scaled(100) / 4);
+}
+
+TEST_CASE("with cell costs the straight segment between points off the grid is no shortcut") {
+  OccupancyGrid hall = OccupancyGrid::blocked(21, 11).value();
+  for (int y = 0; y < 11; ++y) hall.set_run(y, 0, 20, true);
+  const auto space = CellSpace::build(std::move(hall)).value();
+  auto costs = std::make_shared<CellCosts>(space.grid());
+  for (int y = 0; y < 5; ++y) costs->set({10, y}, 255);
+  const Query query{.start = {0.75, 0.5}, .goal = {20.25, 0.5}};
+  AStar::Scratch scratch;
+  NoObserver no_observer;
+  const auto plain = AStar{}.search(space, query, scratch, no_observer).value();
+  CHECK(plain.curve.length() == 19.5);
+  const auto dear = AStar{.costs = costs}.search(space, query, scratch, no_observer);
+  test::check_route(space, query, dear, test::explicit_cost(space, query, costs.get()), 1e-3);
+  CHECK(dear->curve.length() > 19.5);
+}
+
+TEST_CASE("A* refuses cell costs of another grid") {
+  const auto space = CellSpace::build(test::free_grid(3, 3)).value();
+  const auto costs = std::make_shared<CellCosts>(test::free_grid(4, 3));
+  const auto route =
+      test::search_once(AStar{.costs = costs}, space, {.start = {0.5, 0.5}, .goal = {2.5, 0.5}});
+  REQUIRE_FALSE(route);
+  CHECK(route.error().code == PlanError::invalid_option);
 }
 
 }  // namespace

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The searches on grids against an explicit graph, and against each other.
-#include <algorithm>
-#include <cmath>
-#include <memory>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/check_route.hpp"
 #include "support/explicit_graph.hpp"
-#include "support/free_route.hpp"
 #include "support/moving_ai_maps.hpp"
-#include "support/prepared.hpp"
 #include "support/random_grids.hpp"
-#include "support/random_query.hpp"
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
-#include "support/searcher_contract.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/bidirectional_astar.hpp"
 #include "tutavia/search/canonical_astar.hpp"
@@ -27,28 +23,11 @@
 #include "tutavia/search/penalty_astar.hpp"
 #include "tutavia/search/weighted_astar.hpp"
 #include "tutavia/space/cell_space.hpp"
-#include "tutavia/space/clearance_costs.hpp"
 #include "tutavia/space/lattice_space.hpp"
 
 namespace {
 
 using namespace tutavia;
-
-/// Checks one answer against the length of the explicit graph: the same within `tolerance`, and a
-/// route in free space from start to goal.
-template <class S>
-void check_route(const S& space, const Query& query, const Expected<Route, Failure>& route,
-                 const std::optional<double>& expected, double tolerance) {
-  REQUIRE(route.has_value() == expected.has_value());
-  if (!route) {
-    CHECK(route.error().code == PlanError::unreachable_at_resolution);
-    return;
-  }
-  CHECK(route->cost == Approx(*expected).epsilon(0).margin(tolerance));
-  CHECK(route->curve.start() == query.start);
-  CHECK(route->curve.end() == query.goal);
-  CHECK(test::is_free(space, *route));
-}
 
 /// Scratch memories that live through all queries, as a planner's do.
 struct Scratches {
@@ -69,8 +48,8 @@ void check_optimal_searches(const S& space, const Query& query, Scratches& scrat
   NoObserver no_observer;
   const auto check = [&](const auto& algorithm, auto& memory) {
     INFO(algorithm.name);
-    check_route(space, query, algorithm.search(space, query, memory, no_observer), expected,
-                tolerance);
+    test::check_route(space, query, algorithm.search(space, query, memory, no_observer), expected,
+                      tolerance);
   };
   check(Dijkstra{}, scratch.dijkstra);
   check(AStar{}, scratch.astar);
@@ -112,7 +91,7 @@ TEST_CASE("every optimal search finds the explicit graph's cost on random cells,
 
     const auto field = FlowField::build(space, std::vector<Point>{query.goal}).value();
     if (expected) CHECK(field.cost(space, a) == Approx(*expected).epsilon(3e-9));
-    check_route(space, query, field.path(space, query.start), expected, 1e-7 * side);
+    test::check_route(space, query, field.path(space, query.start), expected, 1e-7 * side);
   }
   CHECK(found > test::scaled(500) / 3);
 }
@@ -148,128 +127,6 @@ TEST_CASE("every optimal search finds the explicit graph's cost between points o
   CHECK(found > test::scaled(200) / 5);
 }
 
-TEST_CASE("searches with cell costs find the explicit graph's price") {
-  const std::uint64_t seed = 420;
-  Random random(seed);
-  Scratches scratch;
-  NoObserver no_observer;
-  std::size_t found = 0;
-  for (std::size_t round = 0; round < test::scaled(100); ++round) {
-    INFO("seed " << seed << ", round " << round);
-    const auto space = CellSpace::build(test::random_grid(random, 30), {.resolution = 0.5}).value();
-    auto costs = std::make_shared<CellCosts>(space.grid());
-    for (int y = 0; y < costs->height(); ++y) {
-      for (int x = 0; x < costs->width(); ++x) {
-        costs->set({x, y}, static_cast<std::uint8_t>(random.below(256)));
-      }
-    }
-    const Query query = test::random_query(random, space);
-    if (!space.is_free(query.start) || !space.is_free(query.goal)) continue;
-    const auto expected = test::explicit_cost(space, query, costs.get());
-    found += expected.has_value();
-    check_route(space, query,
-                AStar{.costs = costs}.search(space, query, scratch.astar, no_observer), expected,
-                1e-7);
-    check_route(space, query, Dijkstra{costs}.search(space, query, scratch.dijkstra, no_observer),
-                expected, 1e-7);
-  }
-  CHECK(found > test::scaled(100) / 4);
-}
-
-TEST_CASE("penalty A* minimises length plus penalty times turning") {
-  const std::uint64_t seed = 430;
-  Random random(seed);
-  Scratches scratch;
-  NoObserver no_observer;
-  std::size_t found = 0;
-  for (std::size_t round = 0; round < test::scaled(100); ++round) {
-    INFO("seed " << seed << ", round " << round);
-    const auto rule = static_cast<MovementRule>(random.below(4));
-    const auto space =
-        CellSpace::build(test::random_grid(random, 25), {.resolution = 0.5, .movement = rule})
-            .value();
-    const Query query = test::random_query(random, space);
-    if (!space.is_free(query.start) || !space.is_free(query.goal)) continue;
-    const double penalty = random.uniform(0.01, 2);
-    const auto expected = test::explicit_cost(space, query, nullptr, penalty);
-    found += expected.has_value();
-    // The price of a turn is rounded to whole units of 0.5 m / 13860.
-    check_route(space, query,
-                PenaltyAStar{penalty}.search(space, query, scratch.penalty, no_observer), expected,
-                0.01);
-  }
-  CHECK(found > test::scaled(100) / 4);
-}
-
-TEST_CASE("weighted A* keeps its bound, and A* by Manhattan distance that of sqrt 2") {
-  const std::uint64_t seed = 440;
-  Random random(seed);
-  Scratches scratch;
-  NoObserver no_observer;
-  bool longer = false;
-  std::size_t found = 0;
-  for (std::size_t round = 0; round < test::scaled(100); ++round) {
-    INFO("seed " << seed << ", round " << round);
-    const auto space = CellSpace::build(test::random_grid(random, 60)).value();
-    const Query query = test::random_query(random, space);
-    if (!space.is_free(query.start) || !space.is_free(query.goal)) continue;
-    const double weight = random.uniform(1, 4);
-    const auto best = AStar{}.search(space, query, scratch.astar, no_observer);
-    const auto fast = WeightedAStar{weight}.search(space, query, scratch.weighted, no_observer);
-    const auto greedy = AStar{.heuristic = HeuristicKind::manhattan}.search(
-        space, query, scratch.astar, no_observer);
-    REQUIRE(best.has_value() == fast.has_value());
-    REQUIRE(best.has_value() == greedy.has_value());
-    if (!best) continue;
-    ++found;
-    CHECK(fast->cost <= weight * best->cost * (1 + 1e-9));
-    CHECK(greedy->cost <= 1.4142136 * best->cost * (1 + 1e-9));
-    longer = longer || fast->cost > best->cost + 1e-9;
-  }
-  CHECK(longer);
-  CHECK(found > test::scaled(100) / 3);
-}
-
-TEST_CASE("a flow field leads to the nearest of many goals") {
-  const std::uint64_t seed = 450;
-  Random random(seed);
-  std::size_t found = 0, unreached = 0;
-  for (std::size_t round = 0; round < test::scaled(40); ++round) {
-    INFO("seed " << seed << ", round " << round);
-    const auto space = CellSpace::build(test::random_grid(random, 30)).value();
-    std::vector<Point> goals;
-    for (int i = 0; i < 3; ++i) {
-      const Cell cell = test::random_cell(random, space.grid());
-      if (space.grid().is_free(cell)) goals.push_back(space.frame().point(cell));
-    }
-    const Cell start = test::random_cell(random, space.grid());
-    if (goals.empty() || !space.grid().is_free(start)) continue;
-    const auto field = FlowField::build(space, goals).value();
-    std::optional<double> nearest;
-    for (const Point& goal : goals) {
-      const auto cost =
-          test::explicit_cost(space, {.start = space.frame().point(start), .goal = goal});
-      if (cost && (!nearest || *cost < *nearest)) nearest = cost;
-    }
-    const auto route = field.path(space, space.frame().point(start));
-    REQUIRE(route.has_value() == nearest.has_value());
-    if (!nearest) {
-      const auto near = field.nearest_reached(space, space.frame().point(start));
-      REQUIRE(near);
-      CHECK(field.reached(space, *near));
-      ++unreached;
-      continue;
-    }
-    ++found;
-    CHECK(route->cost == Approx(*nearest).epsilon(1e-9));
-    CHECK(std::find(goals.begin(), goals.end(), route->curve.end()) != goals.end());
-  }
-  CHECK(found > test::scaled(40) / 2);
-  CHECK(unreached > 0);
-  const auto space = CellSpace::build(test::random_grid(random, 5)).value();
-  CHECK_FALSE(FlowField::build(space, std::vector<Point>{}));
-}
-
 TEST_CASE("a path longer than 32 bits of cost units is found exactly") {
   // One corridor of width 1 that winds through 1024 x 1024 cells: 524,798 steps.
   constexpr int size = 1024;
@@ -299,68 +156,6 @@ TEST_CASE("a path longer than 32 bits of cost units is found exactly") {
   check(WeightedAStar{}, scratch.weighted);
 }
 
-TEST_CASE("the searches on grids keep the searcher contract") {
-  test::searcher_contract(WeightedAStar{});
-  test::searcher_contract(CanonicalAStar{});
-  test::searcher_contract(BidirectionalAStar{});
-  test::searcher_contract(PenaltyAStar{});
-  test::searcher_contract(Jps{});
-  test::searcher_contract(test::PreparedEachTime<JpsPlus>{});
-}
-
-TEST_CASE("searches refuse options without a meaning") {
-  const auto space = CellSpace::build(OccupancyGrid::blocked(3, 3).value()).value();
-  const Query query{.start = {0.5, 0.5}, .goal = {2.5, 0.5}};
-  const auto code = [&](const auto& algorithm) {
-    typename std::decay_t<decltype(algorithm)>::Scratch scratch;
-    NoObserver no_observer;
-    const auto route = algorithm.search(space, query, scratch, no_observer);
-    REQUIRE_FALSE(route);
-    return route.error().code;
-  };
-  CHECK(code(WeightedAStar{0.5}) == PlanError::invalid_option);
-  CHECK(code(WeightedAStar{std::nan("")}) == PlanError::invalid_option);
-  CHECK(code(PenaltyAStar{-1}) == PlanError::invalid_option);
-  CHECK(code(JpsPlus{}) == PlanError::invalid_option);
-  const CellCosts other(OccupancyGrid::blocked(4, 3).value());
-  CHECK(code(AStar{.costs = std::make_shared<CellCosts>(other)}) == PlanError::invalid_option);
-  CHECK_FALSE(clearance_costs(space, {.distance = 0}));
-  CHECK_FALSE(clearance_costs(space, {.weight = 8}));
-}
-
-TEST_CASE("clearance costs keep paths away from walls") {
-  OccupancyGrid hall = OccupancyGrid::blocked(21, 11).value();
-  for (int y = 1; y < 10; ++y) hall.set_run(y, 0, 20, true);
-  const auto space = CellSpace::build(std::move(hall)).value();
-  const auto costs = clearance_costs(space, {.distance = 3, .weight = 4}).value();
-  CHECK((*costs)[{10, 1}] == 107);  // 32 x 4 x (1 - 0.5 / 3), rounded
-  CHECK((*costs)[{10, 5}] == 0);
-  AStar::Scratch scratch;
-  NoObserver no_observer;
-  const Query query{.start = space.frame().point({0, 1}), .goal = space.frame().point({20, 1})};
-  const auto close = AStar{}.search(space, query, scratch, no_observer).value();
-  const auto far = AStar{.costs = costs}.search(space, query, scratch, no_observer).value();
-  CHECK(close.curve.length() == 20);
-  CHECK(far.curve.length() > 20);
-  CHECK(space.clearance(far.curve.at(far.curve.length() / 2).position) >= 3);
-}
-
-TEST_CASE("with cell costs the straight segment between points off the grid is no shortcut") {
-  OccupancyGrid hall = OccupancyGrid::blocked(21, 11).value();
-  for (int y = 0; y < 11; ++y) hall.set_run(y, 0, 20, true);
-  const auto space = CellSpace::build(std::move(hall)).value();
-  auto costs = std::make_shared<CellCosts>(space.grid());
-  for (int y = 0; y < 5; ++y) costs->set({10, y}, 255);
-  const Query query{.start = {0.75, 0.5}, .goal = {20.25, 0.5}};
-  Scratches scratch;
-  NoObserver no_observer;
-  const auto plain = AStar{}.search(space, query, scratch.astar, no_observer).value();
-  CHECK(plain.curve.length() == 19.5);
-  const auto dear = AStar{.costs = costs}.search(space, query, scratch.astar, no_observer);
-  check_route(space, query, dear, test::explicit_cost(space, query, costs.get()), 1e-3);
-  CHECK(dear->curve.length() > 19.5);
-}
-
 TEST_CASE("every length of the MovingAI scenarios comes out") {
   std::size_t rows = 0;
   const auto check_map = [&](const test::MovingAiMap& map) {
@@ -376,8 +171,8 @@ TEST_CASE("every length of the MovingAI scenarios comes out") {
       const double tolerance = 0.02 + 1e-5 * row.optimal_length;
       const auto check = [&](const auto& algorithm, auto& memory) {
         INFO(algorithm.name);
-        check_route(space, query, algorithm.search(space, query, memory, no_observer),
-                    row.optimal_length, tolerance);
+        test::check_route(space, query, algorithm.search(space, query, memory, no_observer),
+                          row.optimal_length, tolerance);
       };
       check(AStar{}, scratch.astar);
       check(CanonicalAStar{}, scratch.canonical);

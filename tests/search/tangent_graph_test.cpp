@@ -204,7 +204,7 @@ TEST_CASE("no other planner is ever shorter than the tangent graph", "[soak]") {
     if (!(world.safety_radius > 0)) continue;
     const auto space =
         LatticeSpace::build(world, {.resolution = world.bounds.width() / 30}).value();
-    const auto optimum = search(space, query);
+    const auto optimum = search(space.inflated(), query);
     for (const auto& any_search : searches) {
       Planner planner{any_search};
       const auto plan = planner.plan(space, query);

@@ -151,6 +151,40 @@ TEST_CASE("a curve with a corner before an arc keeps no turning radius") {
         arc.length());
 }
 
+/// What no smoothed string may lose: length, directions at joints, curvature.
+void check_no_worse(const InflatedSpace& space, const Curve& smooth, const PathMetrics& before,
+                    const PathMetrics& after) {
+  CHECK(after.length <=
+        before.length * (1 + 1e-12) + 0.1 * space.safety_radius() * after.turning_angle);
+  // The direction of a short piece is known as well as its ends.
+  double shortest = after.length;
+  for (const Piece& piece : smooth.pieces()) {
+    const double length = distance(start_of(piece), end_of(piece));
+    if (length > 0) shortest = std::min(shortest, length);
+  }
+  CHECK(after.max_joint_deflection <=
+        before.max_joint_deflection + 1e-9 + space.distance_error_bound() / shortest);
+  if (before.max_joint_deflection < 1e-9) {
+    CHECK(after.max_curvature <= before.max_curvature * (1 + 1e-9));
+  }
+}
+
+/// Whether a string can be smoothed to a minimum turning radius; then the path must keep it.
+bool keeps_turning_radius(const InflatedSpace& space, const Curve& string, double radius,
+                          const test::ExactChecker& checker) {
+  const auto wide = ClothoidSmoother{.min_turning_radius = radius}.smooth(space, string, {});
+  if (!wide) {
+    CHECK(wide.error().code == PlanError::not_proved);
+    return false;
+  }
+  const PathMetrics metrics = measure(*wide);
+  CHECK(metrics.max_curvature * radius <= 1 + 1e-9);
+  CHECK(metrics.max_joint_deflection < 1e-6);
+  REQUIRE(certify(space, *wide).status == ProofStatus::proved);
+  REQUIRE(checker.check(*wide) != test::ExactVerdict::blocked);
+  return true;
+}
+
 TEST_CASE("paths of continuous curvature through random worlds are proved", "[soak]") {
   const std::uint64_t seed = 60;
   test::WorldGenerator worlds(seed);
@@ -175,18 +209,7 @@ TEST_CASE("paths of continuous curvature through random worlds are proved", "[so
       if (verdict == test::ExactVerdict::unknown) ++unknown;
       CHECK((smooth.start() == string.start() && smooth.end() == string.end()));
       const PathMetrics before = measure(string), after = measure(smooth);
-      CHECK(after.length <= before.length * (1 + 1e-12) + 0.1 * r * after.turning_angle);
-      // The direction of a short piece is known as well as its ends.
-      double shortest = after.length;
-      for (const Piece& piece : smooth.pieces()) {
-        const double length = distance(start_of(piece), end_of(piece));
-        if (length > 0) shortest = std::min(shortest, length);
-      }
-      CHECK(after.max_joint_deflection <=
-            before.max_joint_deflection + 1e-9 + space.distance_error_bound() / shortest);
-      if (before.max_joint_deflection < 1e-9) {
-        CHECK(after.max_curvature <= before.max_curvature * (1 + 1e-9));
-      }
+      check_no_worse(space, smooth, before, after);
       if (!test::winds_around_nothing(task->world, smooth, string)) ++crossed;
       if (spirals == ClothoidSmoother::Spirals::cubic_beziers) continue;
       ++paths;
@@ -196,18 +219,7 @@ TEST_CASE("paths of continuous curvature through random worlds are proved", "[so
       if (after.max_curvature_jump < 1e-9 / r) ++continuous;
     }
     const double radius = r * random.uniform(0.5, 3);
-    const auto wide = ClothoidSmoother{.min_turning_radius = radius}.smooth(space, string, {});
-    if (wide) {
-      ++gentle;
-      const PathMetrics metrics = measure(*wide);
-      CHECK(metrics.max_curvature * radius <= 1 + 1e-9);
-      CHECK(metrics.max_joint_deflection < 1e-6);
-      REQUIRE(certify(space, *wide).status == ProofStatus::proved);
-      REQUIRE(checker.check(*wide) != test::ExactVerdict::blocked);
-    } else {
-      ++refused;
-      CHECK(wide.error().code == PlanError::not_proved);
-    }
+    ++(keeps_turning_radius(space, string, radius, checker) ? gentle : refused);
   }
   INFO(paths << " paths, " << continuous << " of continuous curvature, length over the string's "
              << sum / double(paths) << " on average and " << longest << " at most, " << crossed

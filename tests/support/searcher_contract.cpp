@@ -39,7 +39,7 @@ class SearcherTrial {
   SearcherTrial(const AnySearch<S>& search, const SearcherPromise& promise)
       : search_(search),
         promise_(promise),
-        open_(arena<S>(open_scene().workspace, open_scene().resolution, promise.robot)) {}
+        open_(arena<S>(open_scene().workspace, *open_scene().resolution, promise.robot)) {}
 
   Breaches run() {
     finds_routes_on_the_built_in_maps();
@@ -57,7 +57,7 @@ class SearcherTrial {
  private:
   void finds_routes_on_the_built_in_maps() {
     for (const Scene& scene : contract_scenes()) {
-      const Arena<S> map = arena<S>(scene.workspace, scene.resolution, promise_.robot);
+      const Arena<S> map = arena<S>(scene.workspace, *scene.resolution, promise_.robot);
       detail::AnyScratch used;
       for (const Point& goal : scene.goals) {
         breaches_.at(scene.name + " to " + detail::to_text(goal));
@@ -138,7 +138,7 @@ class SearcherTrial {
   void reports_that_there_is_no_path() {
     Workspace split = open_scene().workspace;
     split.obstacles.push_back(Polygon{{{1.9, 0}, {2.1, 0}, {2.1, 4}, {1.9, 4}}});
-    const Arena<S> two_rooms = arena<S>(split, open_scene().resolution, promise_.robot);
+    const Arena<S> two_rooms = arena<S>(split, *open_scene().resolution, promise_.robot);
     const Answer answer = search(two_rooms.space, good());
     breaches_.check(!answer && is_no_path(answer.error().code),
                     "it is reported that there is no path");

@@ -23,9 +23,8 @@ namespace tutavia::test {
 const Scene& open_scene();
 
 /// Runs one query with scratch of its own.
-template <class A>
-Expected<Route, Failure> search_once(const A& algorithm, const LatticeSpace& space,
-                                     const Query& query) {
+template <class A, class S>
+Expected<Route, Failure> search_once(const A& algorithm, const S& space, const Query& query) {
   typename A::Scratch scratch;
   NoObserver no_observer;
   return algorithm.search(space, query, scratch, no_observer);

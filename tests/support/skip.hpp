@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdlib>
-#include <iostream>
-#include <string>
+
+#include "support/catch.hpp"
 
 /// \file
 /// Tests that need what is not there report themselves as skipped.
@@ -23,7 +23,7 @@ inline const char* moving_ai_folder() {
   const char* folder = std::getenv("TUTAVIA_MOVINGAI_DIR");
   if (folder != nullptr && *folder == '\0') folder = nullptr;
   if (folder == nullptr) {
-    std::cout << "skipped: TUTAVIA_MOVINGAI_DIR is not set\n";
+    WARN("skipped: TUTAVIA_MOVINGAI_DIR is not set");
     any_skipped() = true;
   }
   return folder;

@@ -22,7 +22,7 @@ class SmootherTrial {
   SmootherTrial(const AnySmoother<S>& smoother, const SmootherPromise& promise)
       : smoother_(smoother),
         promise_(promise),
-        open_(arena<S>(open_scene().workspace, open_scene().resolution, promise.robot)) {}
+        open_(arena<S>(open_scene().workspace, *open_scene().resolution, promise.robot)) {}
 
   Breaches run() {
     smooths_short_polylines();

@@ -142,19 +142,4 @@ TEST_CASE("planes know where a cell stands in them, and how much memory they tak
   CHECK(StopPlanes(OccupancyGrid()).row_stride() == 64);
 }
 
-TEST_CASE("64 x 64 bits are transposed", "[grid]") {
-  const std::uint64_t seed = 2;
-  Random random(seed);
-  for (std::size_t round = 0; round < test::scaled(20); ++round) {
-    INFO("seed " << seed << ", round " << round);
-    std::array<std::uint64_t, 64> rows, columns{};
-    for (std::size_t i = 0; i < 64; ++i) {
-      rows[i] = random();
-      for (std::size_t j = 0; j < 64; ++j) columns[j] |= (rows[i] >> j & 1u) << i;
-    }
-    detail::transpose_64(rows);
-    CHECK(rows == columns);
-  }
-}
-
 }  // namespace

@@ -5,15 +5,12 @@
 #include <cstdint>
 #include <optional>
 #include <ostream>
-#include <string>
-#include <vector>
 
 #include "support/free_route.hpp"
 #include "support/moving_ai_maps.hpp"
 #include "support/random_grids.hpp"
 #include "support/random_query.hpp"
 #include "support/scale.hpp"
-#include "support/searcher_contract.hpp"
 #include "tutavia/search/dijkstra.hpp"
 #include "tutavia/search/improved_rea_star.hpp"
 #include "tutavia/search/rea_star.hpp"
@@ -24,51 +21,6 @@ namespace {
 
 using namespace tutavia;
 using namespace tutavia::detail;
-
-TEST_CASE("SBREA* keeps the searcher contract") { test::searcher_contract(SbReaStar{}); }
-
-TEST_CASE("improved REA* keeps the searcher contract") {
-  test::searcher_contract(ImprovedReaStar{});
-  test::searcher_contract(ImprovedReaStar{.exit_cost = ExitCost::last_leg, .funnel = false});
-  test::searcher_contract(ImprovedReaStar{.continue_after_contact = true});
-}
-
-TEST_CASE("nodes that slide along rails never lengthen a path, and a funnel is the shortest") {
-  const std::uint64_t seed = 914;
-  Random random(seed);
-  const auto upto = [&](int n) { return static_cast<int>(random.below(static_cast<unsigned>(n))); };
-  for (std::size_t round = 0; round < test::scaled(300); ++round) {
-    INFO("seed " << seed << ", round " << round);
-    std::vector<detail::Rail> rails;
-    const int count = 2 + upto(12);
-    for (int i = 0, line = 0; i < count; ++i, line += 1 + upto(9)) {
-      const int first = upto(40), last = i == 0 || i == count - 1 ? first : first + upto(30);
-      rails.push_back({{0, line, first, last, 1}, first + upto(last - first + 1)});
-    }
-    const auto length = [&] {
-      double sum = 0;
-      for (std::size_t i = 1; i < rails.size(); ++i) {
-        sum += detail::cell_distance(rails[i - 1].node(), rails[i].node());
-      }
-      return sum;
-    };
-    double before = length();
-    for (int sweep = 0; sweep < 5; ++sweep) {
-      detail::slide(rails, 1);
-      CHECK(length() <= before * (1 + 1e-12));
-      before = length();
-    }
-    detail::slide(rails);
-    std::vector<Cell> corners, pulled;
-    detail::append_corners(rails, corners);
-    detail::append_pulled(rails, 0, rails.size() - 1, pulled);
-    CHECK(detail::path_length(corners) <= length() * (1 + 1e-12));
-    CHECK(detail::path_length(pulled) <= detail::path_length(corners) * (1 + 1e-12));
-    CHECK(detail::path_length(corners) <= detail::path_length(pulled) * 1.05);
-    CHECK(corners.front() == rails.back().node());
-    CHECK(corners.back() == rails.front().node());
-  }
-}
 
 /// Length over the shortest on the grid.
 struct Ratios {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
+// Runs of cells of OccupancyGrid, and what it knows by index.
+#include "tutavia/grid/occupancy_grid.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -9,8 +11,6 @@
 #include "support/catch.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
-#include "tutavia/grid/bitboard/bits.hpp"
-#include "tutavia/grid/occupancy_grid.hpp"
 
 namespace {
 
@@ -37,25 +37,6 @@ OccupancyGrid random_grid(Random& random, int width, int height) {
     for (int x = 0; x < width; ++x) grid.set({x, y}, row[static_cast<std::size_t>(x)]);
   }
   return grid;
-}
-
-TEST_CASE("bits are loaded from any place, 57 of them at least", "[grid]") {
-  const std::uint64_t seed = 1;
-  Random random(seed);
-  CAPTURE(seed);
-  std::vector<std::uint64_t> words(8);
-  for (std::uint64_t& word : words) word = random();
-  const auto bit = [&](std::size_t i) { return (words[i / 64] >> (i % 64)) & 1u; };
-  for (std::size_t first = 0; first + 63 < 64 * words.size(); ++first) {
-    const std::uint64_t loaded = detail::load_bits(words.data(), first);
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < detail::loaded_bits; ++i) {
-      if (((loaded >> i) & 1u) != bit(first + i)) ++wrong;
-    }
-    CAPTURE(first);
-    CHECK(wrong == 0);
-  }
-  CHECK(detail::loaded_bits >= 57);
 }
 
 TEST_CASE("an index leads back to its cell, on grids of every width and up to the largest index",

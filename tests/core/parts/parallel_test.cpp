@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "tutavia/core/parts/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using tutavia::detail::for_each_in_parallel;
+
+TEST_CASE("every index is done once, by any number of threads") {
+  for (const unsigned threads : {0u, 1u, 2u, 7u}) {
+    for (const std::size_t count : {0u, 1u, 3u, 1000u}) {
+      CAPTURE(threads, count);
+      std::vector<std::atomic<int>> visits(count);
+      for_each_in_parallel(count, threads, [&] { return [&](std::size_t i) { ++visits[i]; }; });
+      for (const auto& visit : visits) CHECK(visit == 1);
+    }
+  }
+}
+
+TEST_CASE("every thread has a body of its own, and there are no more threads than indices") {
+  for (const std::size_t count : {1u, 2u, 100u}) {
+    CAPTURE(count);
+    std::atomic<std::size_t> bodies{0}, done{0};
+    for_each_in_parallel(count, 4, [&] {
+      ++bodies;
+      return [&, own = std::size_t{0}](std::size_t) mutable { done += ++own > 0 ? 1 : 0; };
+    });
+    CHECK(bodies == std::min<std::size_t>(count, 4));
+    CHECK(done == count);
+  }
+}
+
+TEST_CASE("one thread is this one, and takes the indices in order") {
+  std::vector<std::size_t> order;
+  std::set<std::thread::id> threads;
+  for_each_in_parallel(5, 1, [&] {
+    return [&](std::size_t i) {
+      order.push_back(i);
+      threads.insert(std::this_thread::get_id());
+    };
+  });
+  CHECK(order == std::vector<std::size_t>{0, 1, 2, 3, 4});
+  CHECK(threads == std::set{std::this_thread::get_id()});
+}
+
+}  // namespace
