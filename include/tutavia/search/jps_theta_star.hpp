@@ -59,6 +59,7 @@ struct JpsThetaStar {
       detail::remove_redundant(cells, [&](Cell a, Cell b) { return space.line_of_sight(a, b); });
     };
     if (lines_of_sight == LineOfSight::in_search) {
+      static_assert(detail::LookBackGuide<SeeingGuide<S>>);
       return detail::jump_search(
           space, query, scanner,
           [&](const detail::GridQuery& linked) {
@@ -91,7 +92,7 @@ struct JpsThetaStar {
   struct SeeingGuide : Guide {
     const S& space;
 
-    bool sees(Cell a, Cell b) const { return space.line_of_sight(a, b); }
+    bool line_of_sight(Cell a, Cell b) const { return space.line_of_sight(a, b); }
   };
 };
 
