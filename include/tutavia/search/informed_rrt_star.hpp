@@ -15,27 +15,31 @@
 #include "tutavia/search/tree/rewired_tree.hpp"
 
 /// \file
-/// InformedRrtStar: RRT* that samples where its path can still get shorter.
+/// InformedRrtStar: RRT* that samples only points that can shorten its path.
 
 namespace tutavia {
 
-/// `RrtStar` whose samples, from the first path on, are uniform over the ellipse of the points that
-/// a path through them could make it shorter: those whose distances from start and goal add up to
-/// less than its length.
+/// `RrtStar` that, once it has a path, samples uniformly from the ellipse of points through which a
+/// shorter path may run: the sum of their distances from start and goal is less than the path's
+/// length.
 ///
-/// All else is as with `RrtStar`. Source: Gammell, Srinivasa and Barfoot 2014, "Informed RRT*:
-/// optimal sampling-based path planning focused via direct sampling of an admissible ellipsoidal
-/// heuristic".
+/// All else is as for `RrtStar`.
+///
+/// Source: Gammell, Srinivasa and Barfoot 2014, "Informed RRT*: optimal sampling-based path
+/// planning focused via direct sampling of an admissible ellipsoidal heuristic".
+///
+/// Example: examples/searches_among_polygons.cpp.
 struct InformedRrtStar {
   static constexpr std::string_view name = "informed_rrt_star";
   using Scratch = detail::RewiredTreeScratch;
 
-  /// Longest step [m], at most the diagonal of the bounds; none: a 25th of their longer side.
+  /// Longest step [m], at most the diagonal of the bounds. Default: 1/25 of the bounds' longer
+  /// side.
   std::optional<double> step{};
   double goal_bias = 0.05;  ///< share of iterations that grow towards the goal until it is reached
   std::uint32_t iterations = 3000;
   detail::Neighbours neighbours = detail::Neighbours::k_nearest;
-  double rewire_factor = 1.1;  ///< theory wants more than 1
+  double rewire_factor = 1.1;  ///< asymptotic optimality needs more than 1
 
   template <FreeSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
@@ -44,7 +48,7 @@ struct InformedRrtStar {
 
 namespace detail {
 
-/// The points whose distances from two foci add up to a length or less.
+/// The points whose distances from two foci add up to at most `length`.
 class Ellipse {
  public:
   Ellipse(const Point& a, const Point& b, double length)
@@ -58,7 +62,7 @@ class Ellipse {
   double area() const { return std::numbers::pi * half_axis_ * other_half_axis_; }
   bool contains(const Point& p) const { return distance(a_, p) + distance(p, b_) <= length_; }
 
-  /// Uniform over the ellipse: a point of the unit disc, stretched.
+  /// Uniform over the ellipse: a point of the unit disc, scaled to the axes.
   Point sample(Random& random) const {
     double u = 0, v = 0;
     do {
@@ -76,8 +80,8 @@ class Ellipse {
   double half_axis_, other_half_axis_;
 };
 
-/// Uniform over what an ellipse with its foci in the bounds has in common with them: from the
-/// smaller of the two until the other one has it, too.
+/// Uniform over the intersection of the bounds with an ellipse whose foci lie in them. Draws from
+/// the smaller of the two until the other contains the point.
 template <FreeSpace S, Observer O>
 Point sample_in(const Ellipse& ellipse, TreeGrowth<S, O>& growth) {
   const Box& bounds = growth.bounds();

@@ -11,13 +11,13 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// RiskZone: the grey zone around obstacles, and what it costs to be in it.
+/// RiskZone: a zone around obstacles and the cost of travelling in it.
 
 namespace tutavia {
 
 namespace detail {
 
-/// What is known of a number: how far it may be from `value`.
+/// A number that differs from `value` by at most `error`.
 struct ValueWithError {
   double value = 0;
   double error = 0;
@@ -25,16 +25,17 @@ struct ValueWithError {
 
 }  // namespace detail
 
-/// A zone of some width around free space's boundary, in which the risk falls from 1, at the safety
-/// radius, to 0.
+/// A zone along the boundary of free space. The risk in it falls from 1 at the safety radius to 0
+/// at distance `width` beyond.
 ///
-/// A way costs its length plus `weight` times the integral of the risk along it. Source: the
-/// improved RRT* of MM Science Journal, October 2023 (RRTS), whose "safety cost" this makes precise
-/// (docs/algorithms.md).
+/// A path costs its length plus `weight` times the integral of the risk along it.
+///
+/// Source: the improved RRT* of MM Science Journal, October 2023 (RRTS). This is a precise form of
+/// its "safety cost" (docs/algorithms.md).
 struct RiskZone {
   double width = 2;   ///< [m], positive
   double weight = 1;  ///< [m of length per m at risk 1], not negative
-  /// What the integral along a way may be wrong by, as a share of the way's length; positive.
+  /// Error bound of the integral along a path, as a share of the path's length; positive.
   double tolerance = 0.01;
 
   /// `invalid_option` for a width, weight or tolerance outside its range.
@@ -59,7 +60,7 @@ struct RiskZone {
     return std::clamp(depth / width, 0.0, 1.0);
   }
 
-  /// Whether a free segment keeps out of the zone.
+  /// Whether a free segment stays outside the zone.
   template <ClearanceSpace S>
   bool is_outside(const S& space, const Point& p, const Point& q) const {
     const double reach = space.safety_radius() + width;
@@ -69,15 +70,16 @@ struct RiskZone {
   /// The integral of the risk along a free segment [m], by the trapezoidal rule on parts that are
   /// halved until the error is small enough.
   ///
-  /// The risk changes by at most 1 / width per metre. Between all functions that do, with values f
-  /// and g at the ends of a part h metres long, the integrals differ from h (f + g) / 2 by at most
-  /// (h^2 / width^2 - (g - f)^2) width / 4: by nothing on the way straight to or from an obstacle.
+  /// The risk changes by at most 1 / width per metre. Let f and g be its values at the ends of a
+  /// part of length h. Then its integral differs from h (f + g) / 2 by at most
+  /// (h^2 / width^2 - (g - f)^2) width / 4. The bound is 0 on a path straight towards or away from
+  /// an obstacle.
   template <ClearanceSpace S>
   detail::ValueWithError integral(const S& space, const Point& p, const Point& q) const {
     if (is_outside(space, p, q)) return {};
-    const Segment way{p, q};
-    const double length = way.length();
-    return integral(space, length, [&](double s) { return way.point(s / length); });
+    const Segment segment{p, q};
+    const double length = segment.length();
+    return integral(space, length, [&](double s) { return segment.point(s / length); });
   }
 
   /// The same along a curve.
@@ -87,8 +89,8 @@ struct RiskZone {
     return integral(space, curve.length(), [&](double s) { return curve.point(s); });
   }
 
-  /// How much of a free curve lies in the zone [m]. Parts that the zone's rim may run through are
-  /// cut down to a ten-thousandth of the length and count half.
+  /// The length of a free curve inside the zone [m]. Parts that the zone's boundary may cross are
+  /// halved down to a ten-thousandth of the length and then count half.
   template <ClearanceSpace S>
   detail::ValueWithError length_inside(const S& space, const Curve& curve) const {
     detail::ValueWithError sum;
@@ -96,7 +98,7 @@ struct RiskZone {
     return sum;
   }
 
-  /// What a free segment costs.
+  /// The cost of a free segment: length plus weighted risk.
   template <ClearanceSpace S>
   double cost(const S& space, const Point& p, const Point& q) const {
     const double length = distance(p, q);
@@ -112,7 +114,7 @@ struct RiskZone {
     return sum;
   }
 
-  /// Adds the integral from a to b, where the risk is f and g.
+  /// Adds the integral from arc length a to b, where the risk is f and g.
   template <class RiskAt>
   void add_risk(const RiskAt& risk_at, double a, double b, double f, double g, double least,
                 detail::ValueWithError& sum) const {
@@ -128,16 +130,16 @@ struct RiskZone {
     add_risk(risk_at, middle, b, value, g, least, sum);
   }
 
-  /// Adds what lies in the zone between two arc lengths: all or nothing where the middle is far
-  /// enough on one side of the zone's rim.
+  /// Adds the length inside the zone between two arc lengths: all or nothing if the midpoint is far
+  /// enough from the zone's boundary, else by halves.
   template <ClearanceSpace S>
   void add_inside(const S& space, const Curve& curve, double a, double b,
                   detail::ValueWithError& sum) const {
-    const double h = b - a, middle = a + h / 2, rim = space.safety_radius() + width;
+    const double h = b - a, middle = a + h / 2, boundary = space.safety_radius() + width;
     const Point p = curve.point(middle);
-    const double clearance = space.nearest(Segment{p, p}, rim + h).distance;
-    if (clearance >= rim + h / 2) return;
-    if (clearance <= rim - h / 2) {
+    const double clearance = space.nearest(Segment{p, p}, boundary + h).distance;
+    if (clearance >= boundary + h / 2) return;
+    if (clearance <= boundary - h / 2) {
       sum.value += h;
     } else if (h < 1e-4 * curve.length()) {
       sum.value += h / 2;

@@ -12,26 +12,30 @@
 #include "tutavia/search/tree/tree_growth.hpp"
 
 /// \file
-/// Rrt: a path, found by a tree that grows at random.
+/// Rrt: a path found by growing a random tree.
 
 namespace tutavia {
 
-/// A tree from the start that takes steps towards random points until one of them ends within a
-/// step of the goal and in sight of it.
+/// Grows a tree from the start by steps towards random points, until a node lies within one step of
+/// the goal and sees it.
 ///
-/// A path is found with a probability that tends to 1 as iterations are allowed, where there is one
-/// with room around it; it is the first one, not a short one. Where start and goal see each other
-/// it is the straight line. Same seed, same tree. Source: LaValle 1998, "Rapidly-exploring random
-/// trees: a new tool for path planning".
+/// If there is a path with room around it, the probability of finding one tends to 1 with the
+/// number of iterations. The result is the first path found, not a short one. If start and goal see
+/// each other, the result is the straight line. The same seed gives the same tree.
 ///
-/// Errors: `invalid_option`; what is wrong with start or goal; `budget_exhausted` after all
-/// iterations, with the tree's distance from the goal in the detail, and for what the budget says;
-/// `cancelled`. That there is no path cannot be known.
+/// Errors: `invalid_option`; those of `check_query`; `budget_exhausted` after all iterations or at
+/// the end of the budget, with the tree's distance from the goal in the detail; `cancelled`. It
+/// cannot prove that no path exists.
+///
+/// Source: LaValle 1998, "Rapidly-exploring random trees: a new tool for path planning".
+///
+/// Example: examples/searches_among_polygons.cpp.
 struct Rrt {
   static constexpr std::string_view name = "rrt";
   using Scratch = detail::TreeScratch;
 
-  /// Longest edge [m], at most the diagonal of the bounds; none: a 25th of their longer side.
+  /// Longest edge [m], at most the diagonal of the bounds. Default: 1/25 of the bounds' longer
+  /// side.
   std::optional<double> step{};
   double goal_bias = 0.05;          ///< share of iterations that grow towards the goal
   std::uint32_t iterations = 3000;  ///< at most
@@ -63,9 +67,9 @@ struct Rrt {
         if (!space.segment_free(*end, query.goal)) continue;
         node = add(node, query.goal);
       }
-      const auto way = tree.way_to(node);
-      growth.tell_improved(way, tree.cost(node));
-      return Route{Curve::polyline(way), tree.cost(node), growth.stats()};
+      const auto path = tree.path_to(node);
+      growth.notify_improved(path, tree.cost(node));
+      return Route{Curve::polyline(path), tree.cost(node), growth.stats()};
     }
     return Unexpected{growth.failure({.code = PlanError::budget_exhausted}, tree)};
   }

@@ -14,13 +14,13 @@
 #include "tutavia/search/tree/tree_growth.hpp"
 
 /// \file
-/// RrtConnect: a path, found by two random trees that grow towards each other.
+/// RrtConnect: a path found by two random trees that grow towards each other.
 
 namespace tutavia {
 
 namespace detail {
 
-/// Memory of a search that grows a tree from both ends, and the trees that it grew last.
+/// Memory of a search with a tree from each end. Holds the trees of the last query.
 struct TwoTreesScratch {
   detail::SearchTree from_start, from_goal;
 
@@ -37,18 +37,22 @@ struct TwoTreesScratch {
 
 }  // namespace detail
 
-/// Trees from start and goal in turn take a step towards a random point, and the other one walks
-/// towards its end until it gets there or is stopped.
+/// Grows a tree from the start and one from the goal. In turn, one tree takes a step towards a
+/// random point, and the other takes steps towards the new node until it reaches it or is blocked.
 ///
-/// As `Rrt`, and mostly much quicker: it finds the first path, not a short one. Source: Kuffner and
-/// LaValle 2000, "RRT-Connect: an efficient approach to single-query path planning".
+/// Mostly much faster than `Rrt`, with the same guarantees: it finds the first path, not a short
+/// one. Errors as for `Rrt`; the distance in the detail is that of the start's tree from the goal.
 ///
-/// Errors: as `Rrt`; the distance told is the one between the tree from the start and the goal.
+/// Source: Kuffner and LaValle 2000, "RRT-Connect: an efficient approach to single-query path
+/// planning".
+///
+/// Example: examples/searches_among_polygons.cpp.
 struct RrtConnect {
   static constexpr std::string_view name = "rrt_connect";
   using Scratch = detail::TwoTreesScratch;
 
-  /// Longest edge [m], at most the diagonal of the bounds; none: a 25th of their longer side.
+  /// Longest edge [m], at most the diagonal of the bounds. Default: 1/25 of the bounds' longer
+  /// side.
   std::optional<double> step{};
   std::uint32_t iterations = 3000;  ///< at most
 
@@ -71,9 +75,9 @@ struct RrtConnect {
       const Point meeting = tree->position(last(*tree));
       while (extend(growth, *other, meeting)) {
         if (other->position(last(*other)) != meeting) continue;
-        Route route{Curve::polyline(way(scratch)), 0, growth.stats()};
+        Route route{Curve::polyline(path(scratch)), 0, growth.stats()};
         route.cost = route.curve.length();
-        growth.tell_improved(way(scratch), route.cost);
+        growth.notify_improved(path(scratch), route.cost);
         return route;
       }
     }
@@ -85,7 +89,7 @@ struct RrtConnect {
     return static_cast<detail::SearchTree::Node>(tree.size() - 1);
   }
 
-  /// Adds a step towards a target to a tree, if there is one.
+  /// Adds a step towards a target to a tree. Returns whether it is free.
   template <FreeSpace S, Observer O>
   static bool extend(detail::TreeGrowth<S, O>& growth, detail::SearchTree& tree,
                      const Point& target) {
@@ -95,12 +99,12 @@ struct RrtConnect {
     return end.has_value();
   }
 
-  /// Through the last nodes of both trees, which are in one place.
-  static std::vector<Point> way(const detail::TwoTreesScratch& scratch) {
-    std::vector<Point> way = scratch.from_start.way_to(last(scratch.from_start));
-    const std::vector<Point> rest = scratch.from_goal.way_to(last(scratch.from_goal));
-    way.insert(way.end(), rest.rbegin() + 1, rest.rend());
-    return way;
+  /// The path through the last nodes of both trees, which have the same position.
+  static std::vector<Point> path(const detail::TwoTreesScratch& scratch) {
+    std::vector<Point> path = scratch.from_start.path_to(last(scratch.from_start));
+    const std::vector<Point> rest = scratch.from_goal.path_to(last(scratch.from_goal));
+    path.insert(path.end(), rest.rbegin() + 1, rest.rend());
+    return path;
   }
 };
 

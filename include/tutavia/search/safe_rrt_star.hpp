@@ -18,39 +18,44 @@
 #include "tutavia/search/tree/tree_growth.hpp"
 
 /// \file
-/// SafeRrtStar: RRT* that keeps away from obstacles where it can.
+/// SafeRrtStar: RRT* that prefers to stay away from obstacles.
 
 namespace tutavia {
 
-/// The improved RRT* with risk zones: grey zones around the obstacles that a path keeps out of, or
-/// is short in.
+/// RRT* with risk zones around the obstacles. Paths avoid the zones, or spend little length in
+/// them.
 ///
-/// First a tree of RRT* grows outside the zones; where it finds no path, or start or goal lies in a
-/// zone, another one grows in all of free space, for paths that cost their length plus the weighted
-/// risk along them (`RiskZone`). Then nodes that the path can do without are dropped, which makes
-/// it neither longer nor costlier. The method's last stage is a smoother:
-/// `Planner{SafeRrtStar{}, BSplineSmoother{.prune = false}}`, whose curve may enter the grey zone.
+/// The first tree grows outside the zones. If it finds no path, or start or goal lies in a zone, a
+/// second tree grows in all of free space; its path cost is length plus weighted risk (`RiskZone`).
+/// Redundant nodes are then removed, which makes the path neither longer nor costlier. The method's
+/// last stage is a smoother: `Planner{SafeRrtStar{}, BSplineSmoother{.prune = false}}`, whose curve
+/// may enter the zones.
 ///
-/// The cost of the route is its length plus the weighted risk. All else is as with `RrtStar`; an
-/// observer is told of better paths before nodes are dropped. Source: the improved RRT* of MM
-/// Science Journal, October 2023 (RRTS); what it leaves open is decided in docs/algorithms.md.
+/// The cost of the route is its length plus the weighted risk. All else is as for `RrtStar`; an
+/// observer receives improved paths before nodes are removed.
+///
+/// Source: the improved RRT* of MM Science Journal, October 2023 (RRTS); docs/algorithms.md decides
+/// the details that it leaves open.
+///
+/// Example: examples/searches_among_polygons.cpp.
 struct SafeRrtStar {
   static constexpr std::string_view name = "safe_rrt_star";
   using Scratch = detail::RewiredTreeScratch;
 
-  /// Longest step [m], at most the diagonal of the bounds; none: a 25th of their longer side.
+  /// Longest step [m], at most the diagonal of the bounds. Default: 1/25 of the bounds' longer
+  /// side.
   std::optional<double> step{};
   double goal_bias = 0.05;  ///< share of iterations that grow towards the goal until it is reached
-  std::uint32_t iterations = 3000;  ///< of either tree
+  std::uint32_t iterations = 3000;  ///< of each tree
   detail::Neighbours neighbours = detail::Neighbours::k_nearest;
-  double rewire_factor = 1.1;  ///< theory wants more than 1
-  /// Width of the risk zones [m]; none: as `step` without a value.
+  double rewire_factor = 1.1;  ///< asymptotic optimality needs more than 1
+  /// Width of the risk zones [m]. Default: that of `step`.
   std::optional<double> risk_width{};
   double risk_weight = 1;
-  bool keep_out = true;  ///< of the zones, where there is a path outside of them
-  bool prune = true;     ///< drop the nodes that the path can do without
+  bool keep_out = true;  ///< whether to try a tree outside the zones first
+  bool prune = true;     ///< whether to remove redundant nodes
 
-  /// The zones as they are in a space.
+  /// The risk zone for a space.
   template <FreeSpace S>
   RiskZone zone(const S& space) const {
     return {.width = risk_width ? *risk_width : detail::default_step(space.bounds()),
@@ -64,7 +69,7 @@ struct SafeRrtStar {
 
 namespace detail {
 
-/// What of a space lies outside its risk zones.
+/// The part of a space outside its risk zones.
 template <ClearanceSpace S>
 class OutsideRiskZone {
  public:
@@ -81,30 +86,31 @@ class OutsideRiskZone {
   const RiskZone& zone_;
 };
 
-/// Drops nodes of a path between which the straight way is free and costs no more, and gives the
-/// path and its cost.
-template <FreeSpace S, EdgeCost Price>
-Route pruned(const S& space, const std::vector<Point>& path, const Price& edge_cost, bool prune) {
+/// Removes nodes of a path if the straight edge that replaces them is free and costs no more.
+/// Returns the path and its cost.
+template <FreeSpace S, EdgeCost CostOf>
+Route pruned(const S& space, const std::vector<Point>& path, const CostOf& edge_cost, bool prune) {
   struct Node {
-    Point place;
-    double cost;  // of the way there
+    Point position;
+    double cost;  // of the path from the start
   };
   const auto cost = [&](const Point& p, const Point& q) { return edge_cost(p, q, distance(p, q)); };
   std::vector<Node> nodes;
   nodes.reserve(path.size());
   for (const Point& p : path) {
-    nodes.push_back({p, nodes.empty() ? 0 : nodes.back().cost + cost(nodes.back().place, p)});
+    nodes.push_back({p, nodes.empty() ? 0 : nodes.back().cost + cost(nodes.back().position, p)});
   }
   if (prune) {
     remove_redundant(nodes, [&](const Node& a, const Node& b) {
-      return space.segment_free(a.place, b.place) && cost(a.place, b.place) <= b.cost - a.cost;
+      return space.segment_free(a.position, b.position) &&
+             cost(a.position, b.position) <= b.cost - a.cost;
     });
   }
   Route route;
   std::vector<Point> kept;
   for (const Node& node : nodes) {
-    if (!kept.empty()) route.cost += cost(kept.back(), node.place);
-    kept.push_back(node.place);
+    if (!kept.empty()) route.cost += cost(kept.back(), node.position);
+    kept.push_back(node.position);
   }
   route.curve = Curve::polyline(kept);
   return route;

@@ -88,7 +88,7 @@ TEST_CASE("a point index answers as looking at every point does, while points ar
           const double reach = random.uniform() * (bounds.width() + bounds.height()) / 4;
           index.within(p, reach, found);
           const auto end = std::find_if(all.begin(), all.end(), [&](const Neighbour& neighbour) {
-            return neighbour.square > reach * reach;
+            return neighbour.squared_distance > reach * reach;
           });
           CHECK(numbers(found) == numbers({all.begin(), end}));
         }

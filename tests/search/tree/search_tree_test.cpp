@@ -43,9 +43,9 @@ TEST_CASE("a tree gives the way to a node and all its edges") {
   SearchTree tree;
   tree.reset({{0, 0}, {4, 4}}, {1, 1});
   const Node a = tree.add(0, {2, 1}, 1), b = tree.add(a, {2, 2}, 1), c = tree.add(0, {1, 2}, 1);
-  CHECK(tree.way_to(b) == std::vector<Point>{{1, 1}, {2, 1}, {2, 2}});
+  CHECK(tree.path_to(b) == std::vector<Point>{{1, 1}, {2, 1}, {2, 2}});
   tree.rewire(b, c, 5);
-  CHECK(tree.way_to(b) == std::vector<Point>{{1, 1}, {1, 2}, {2, 2}});
+  CHECK(tree.path_to(b) == std::vector<Point>{{1, 1}, {1, 2}, {2, 2}});
   CHECK(tree.cost(b) == 6);
   CHECK(tree.edge_cost(b) == 5);
   std::size_t edges = 0;
@@ -56,7 +56,7 @@ TEST_CASE("a tree gives the way to a node and all its edges") {
   CHECK(edges == 3);
   tree.reset({{0, 0}, {1, 1}}, {0, 0});
   CHECK(tree.size() == 1);
-  CHECK(tree.way_to(0).size() == 1);
+  CHECK(tree.path_to(0).size() == 1);
 }
 
 }  // namespace

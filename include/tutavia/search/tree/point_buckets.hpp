@@ -12,29 +12,30 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// PointBuckets: the nearest of many points, while they become more.
+/// PointBuckets: nearest-neighbour queries on a growing set of points.
 
 namespace tutavia::detail {
 
-/// Points by number, in square buckets over the bounds they lie in. The buckets are made anew,
-/// smaller, whenever the points have become four times as many, so that adding a point takes
-/// constant time, and so does a question where the points are spread evenly. Of equally near points
-/// the one with the lower number is nearer: answers depend on the points alone.
+/// Numbered points in square buckets over the bounds. Whenever the number of points has
+/// quadrupled, the points are redistributed to smaller buckets. Adding a point takes amortised
+/// constant time; so does a query if the points are spread evenly. Ties go to the lower number, so
+/// results depend on the points alone.
 class PointBuckets {
  public:
   using Index = std::uint32_t;
   static constexpr Index none = std::numeric_limits<Index>::max();
 
   struct Neighbour {
-    double square;  ///< of the distance
+    double squared_distance;
     Index index;
 
     friend bool operator<(const Neighbour& a, const Neighbour& b) {
-      return a.square != b.square ? a.square < b.square : a.index < b.index;
+      return a.squared_distance != b.squared_distance ? a.squared_distance < b.squared_distance
+                                                      : a.index < b.index;
     }
   };
 
-  /// Forgets all points. \pre bounds are finite
+  /// Removes all points. \pre bounds are finite
   void reset(const Box& bounds) {
     bounds_ = bounds;
     entries_.clear();
@@ -44,7 +45,7 @@ class PointBuckets {
   std::size_t size() const { return entries_.size(); }
   Point operator[](Index i) const { return {entries_[i].x, entries_[i].y}; }
 
-  /// Gives the next number. \pre p lies in the bounds
+  /// Adds a point and returns its number. \pre p lies in the bounds
   Index add(const Point& p) {
     const auto index = static_cast<Index>(entries_.size());
     entries_.push_back({p.x(), p.y(), none});
@@ -58,48 +59,49 @@ class PointBuckets {
 
   /// \pre not empty
   Index nearest(const Point& p) const {
-    const BucketPosition place(*this, p);
+    const BucketPosition centre(*this, p);
     Neighbour best{std::numeric_limits<double>::infinity(), none};
     for (int ring = 0;; ++ring) {
-      for_each_in_ring(place, ring, [&](const Neighbour& neighbour) {
+      for_each_in_ring(centre, ring, [&](const Neighbour& neighbour) {
         if (neighbour < best) best = neighbour;
       });
-      if (best.square < square_beyond(place, ring)) return best.index;
+      if (best.squared_distance < squared_distance_beyond(centre, ring)) return best.index;
     }
   }
 
-  /// The points within a distance of p, in no particular order.
-  void within(const Point& p, double distance, std::vector<Neighbour>& found) const {
-    found.clear();
-    const double square = distance * distance;
-    const BucketPosition place(*this, p);
+  /// The points within a distance of p, unordered.
+  void within(const Point& p, double distance, std::vector<Neighbour>& neighbours) const {
+    neighbours.clear();
+    const double limit = distance * distance;
+    const BucketPosition centre(*this, p);
     const int left = column(p.x() - distance), right = column(p.x() + distance);
     const int bottom = row(p.y() - distance), top = row(p.y() + distance);
     for (int y = bottom; y <= top; ++y) {
-      for_each_in_row(place, y, left, right, [&](const Neighbour& neighbour) {
-        if (neighbour.square <= square) found.push_back(neighbour);
+      for_each_in_row(centre, y, left, right, [&](const Neighbour& neighbour) {
+        if (neighbour.squared_distance <= limit) neighbours.push_back(neighbour);
       });
     }
   }
 
-  /// The k points nearest to p, or all where there are fewer, in no particular order.
-  void k_nearest(const Point& p, std::size_t k, std::vector<Neighbour>& found) const {
-    found.clear();
-    const BucketPosition place(*this, p);
+  /// The k points nearest to p, or all if there are fewer; unordered.
+  void k_nearest(const Point& p, std::size_t k, std::vector<Neighbour>& neighbours) const {
+    neighbours.clear();
+    const BucketPosition centre(*this, p);
     for (int ring = 0;; ++ring) {
-      for_each_in_ring(place, ring,
-                       [&](const Neighbour& neighbour) { found.push_back(neighbour); });
-      if (found.size() == size()) break;
-      const double known = square_beyond(place, ring);
-      const auto is_known = [known](const Neighbour& n) { return n.square < known; };
-      if (found.size() >= k &&
-          static_cast<std::size_t>(std::count_if(found.begin(), found.end(), is_known)) >= k) {
+      for_each_in_ring(centre, ring,
+                       [&](const Neighbour& neighbour) { neighbours.push_back(neighbour); });
+      if (neighbours.size() == size()) break;
+      const double known = squared_distance_beyond(centre, ring);
+      const auto is_known = [known](const Neighbour& n) { return n.squared_distance < known; };
+      if (neighbours.size() >= k && static_cast<std::size_t>(std::count_if(
+                                        neighbours.begin(), neighbours.end(), is_known)) >= k) {
         break;
       }
     }
-    if (found.size() <= k) return;
-    std::nth_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(k), found.end());
-    found.resize(k);
+    if (neighbours.size() <= k) return;
+    std::nth_element(neighbours.begin(), neighbours.begin() + static_cast<std::ptrdiff_t>(k),
+                     neighbours.end());
+    neighbours.resize(k);
   }
 
  private:
@@ -110,7 +112,7 @@ class PointBuckets {
     Index next;  // in the same bucket
   };
 
-  /// A point and its bucket.
+  /// A query point and its bucket.
   struct BucketPosition {
     BucketPosition(const PointBuckets& index, const Point& p)
         : x(p.x()), y(p.y()), column(index.column(x)), row(index.row(y)) {}
@@ -125,10 +127,10 @@ class PointBuckets {
     return at > 0 ? static_cast<int>(std::min(at, count - 1.0)) : 0;
   }
 
-  /// Makes about so many buckets.
+  /// Redistributes the points to about `buckets` buckets.
   void divide(std::size_t buckets) {
     const double width = bounds_.width(), height = bounds_.height();
-    // Also for bounds with little or no extent one way.
+    // Works for bounds with little or no extent in one direction, too.
     side_ = std::max(std::sqrt(width * height / static_cast<double>(buckets)),
                      std::max(width, height) / static_cast<double>(buckets));
     per_metre_ = side_ > 0 ? 1 / side_ : 0;
@@ -151,43 +153,44 @@ class PointBuckets {
   }
 
   template <class Visit>
-  void for_each_in_row(const BucketPosition& place, int row, int left, int right,
+  void for_each_in_row(const BucketPosition& centre, int row, int left, int right,
                        const Visit& visit) const {
     for (std::size_t b = bucket(left, row), end = bucket(right, row); b <= end; ++b) {
       for (Index i = first_[b]; i != none; i = entries_[i].next) {
         const Entry& entry = entries_[i];
-        const double dx = entry.x - place.x, dy = entry.y - place.y;
+        const double dx = entry.x - centre.x, dy = entry.y - centre.y;
         visit(Neighbour{dx * dx + dy * dy, i});
       }
     }
   }
 
-  /// Visits the buckets that are `ring` steps away.
+  /// Visits the points in buckets that are `ring` steps away.
   template <class Visit>
-  void for_each_in_ring(const BucketPosition& place, int ring, const Visit& visit) const {
-    const int left = place.column - ring, right = place.column + ring;
+  void for_each_in_ring(const BucketPosition& centre, int ring, const Visit& visit) const {
+    const int left = centre.column - ring, right = centre.column + ring;
     const int from = std::max(left, 0), to = std::min(right, columns_ - 1);
-    const int bottom = std::max(place.row - ring, 0), top = std::min(place.row + ring, rows_ - 1);
+    const int bottom = std::max(centre.row - ring, 0), top = std::min(centre.row + ring, rows_ - 1);
     for (int y = bottom; y <= top; ++y) {
-      if (y == place.row - ring || y == place.row + ring) {
-        for_each_in_row(place, y, from, to, visit);
+      if (y == centre.row - ring || y == centre.row + ring) {
+        for_each_in_row(centre, y, from, to, visit);
         continue;
       }
-      if (left >= 0) for_each_in_row(place, y, left, left, visit);
-      if (right < columns_) for_each_in_row(place, y, right, right, visit);
+      if (left >= 0) for_each_in_row(centre, y, left, left, visit);
+      if (right < columns_) for_each_in_row(centre, y, right, right, visit);
     }
   }
 
-  /// The square of how far all points are that lie beyond so many rings; infinity where none can.
-  double square_beyond(const BucketPosition& place, int ring) const {
+  /// A lower bound on the squared distance of points beyond `ring` rings; infinity if there are no
+  /// buckets beyond.
+  double squared_distance_beyond(const BucketPosition& centre, int ring) const {
     double gap = std::numeric_limits<double>::infinity();
     const auto look = [&](double x, double low, int slot, int count) {
       if (slot - ring > 0) gap = std::min(gap, x - (low + side_ * (slot - ring)));
       if (slot + ring + 1 < count) gap = std::min(gap, low + side_ * (slot + ring + 1) - x);
     };
-    look(place.x, bounds_.min.x(), place.column, columns_);
-    look(place.y, bounds_.min.y(), place.row, rows_);
-    gap -= 1e-9 * side_;  // rounding may put a point next to a bucket's side into the other one
+    look(centre.x, bounds_.min.x(), centre.column, columns_);
+    look(centre.y, bounds_.min.y(), centre.row, rows_);
+    gap -= 1e-9 * side_;  // rounding may move a point near a bucket's side into the next bucket
     return gap > 0 ? gap * gap : 0;
   }
 

@@ -15,34 +15,33 @@
 #include "tutavia/search/tree/tree_growth.hpp"
 
 /// \file
-/// The growth of RRT*: every node takes the best parent near it, and its neighbours take it where
-/// that is better.
+/// RewiredTree: the tree of RRT*, which chooses the best parents and rewires neighbours.
 
 namespace tutavia::detail {
 
-/// Which nodes of a tree of n are near a new one. Both rules are those of Karaman and Frazzoli
-/// 2011, section 3.3, for the plane; each exceeds the bound that their theorems need by a
+/// Which nodes of a tree of n nodes count as near a new one. Both rules are those of Karaman and
+/// Frazzoli 2011, section 3.3, for the plane. Each multiplies the bound that their theorems need by
 /// `rewire_factor`.
 enum class Neighbours {
   k_nearest,  ///< the e (1 + 1/2) ln n nearest
-  /// Those within the smaller of the step and 2 sqrt(1 + 1/2) sqrt(A / pi) sqrt(ln n / n), where A
-  /// is the area of the bounds, which is no less than that of free space.
+  /// Those within the smaller of the step and 2 sqrt(1 + 1/2) sqrt(A / pi) sqrt(ln n / n). A is the
+  /// area of the bounds, an upper bound on the area of free space.
   radius,
 };
 
-/// Memory of a search that grows one tree with rewiring, and the tree that it grew last.
+/// Memory of a search with one rewired tree. Holds the tree of the last query.
 struct RewiredTreeScratch : TreeScratch {
-  /// A node near a new one: how far, and what the way through it costs at least.
+  /// A node near a new one: its distance, and a lower bound on the path cost through it.
   struct Near {
     double length, least_cost;
     SearchTree::Node node;
   };
 
-  std::vector<PointBuckets::Neighbour> found;
+  std::vector<PointBuckets::Neighbour> neighbours;
   std::vector<Near> near;
 };
 
-/// How far a tree of n nodes looks around a new one.
+/// The size of the neighbourhood of a new node in a tree of n nodes.
 struct NeighbourRule {
   Neighbours kind;
   double factor;
@@ -65,25 +64,25 @@ struct NeighbourRule {
   static double logarithm(std::size_t n) { return std::log(static_cast<double>(n < 2 ? 2 : n)); }
 };
 
-/// What edges cost: `cost(p, q, length)` is the cost of the straight way from p to q, which is as
-/// long as that; at least its length.
+/// The cost of edges: `cost(p, q, length)` is the cost of the straight edge from p to q, whose
+/// length is given; at least the length.
 template <class C>
 concept EdgeCost = requires(const C& cost, const Point& p, double length) {
   { cost(p, p, length) } -> std::same_as<double>;
 };
 
-/// What an edge costs that costs its length.
+/// Edges cost their length.
 struct LengthCost {
   double operator()(const Point&, const Point&, double length) const { return length; }
 };
 
-/// One tree of RRT*, its edges priced by an EdgeCost.
-template <EdgeCost Price, FreeSpace S, Observer O>
+/// A tree of RRT* with edge costs by an EdgeCost.
+template <EdgeCost CostOf, FreeSpace S, Observer O>
 class RewiredTree {
  public:
   using Node = SearchTree::Node;
 
-  RewiredTree(TreeGrowth<S, O>& growth, const NeighbourRule& rule, const Price& edge_cost,
+  RewiredTree(TreeGrowth<S, O>& growth, const NeighbourRule& rule, const CostOf& edge_cost,
               RewiredTreeScratch& scratch)
       : growth_(growth),
         rule_(rule),
@@ -94,14 +93,14 @@ class RewiredTree {
   }
 
   bool has_path() const { return goal_ != SearchTree::none; }
-  /// Of the best path; infinite where there is none yet.
+  /// Cost of the best path; infinite without a path.
   double cost() const { return best_; }
   /// The best path. \pre has_path()
-  std::vector<Point> path() const { return tree_.way_to(goal_); }
+  std::vector<Point> path() const { return tree_.path_to(goal_); }
 
   const SearchTree& nodes() const { return tree_; }
 
-  /// One step towards a point, and the goal where it is within a step.
+  /// Takes one step towards a point, and adds the goal if it is within a step.
   void grow(const Point& target) {
     const Node nearest = tree_.points().nearest(target);
     const auto end = growth_.step_towards(tree_, nearest, target);
@@ -116,14 +115,14 @@ class RewiredTree {
     }
     if (has_path() && tree_.cost(goal_) < best_) {
       best_ = tree_.cost(goal_);
-      growth_.tell_improved(path(), best_);
+      growth_.notify_improved(path(), best_);
     }
   }
 
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// Adds a point that `parent` sees, with the best parent near it, and rewires those near it.
+  /// Adds a point that `parent` sees: chooses the best parent near it, then rewires its neighbours.
   Node insert(const Point& p, Node parent) {
     find_near(p);
     double edge = edge_cost_(tree_.position(parent), p, distance(tree_.position(parent), p));
@@ -142,7 +141,7 @@ class RewiredTree {
       cost = tree_.cost(parent) + edge;
     }
     const Node node = growth_.add(tree_, parent, p, edge);
-    // Few are left, which are put in order: those near come in none that all compilers agree on.
+    // Sorts the few that remain: the order of the neighbours differs between compilers.
     std::erase_if(scratch_.near, [&](const auto& neighbour) {
       return !(cost + neighbour.length < tree_.cost(neighbour.node));
     });
@@ -155,14 +154,14 @@ class RewiredTree {
   void find_near(const Point& p) {
     const std::size_t n = tree_.size();
     if (rule_.kind == Neighbours::k_nearest) {
-      tree_.points().k_nearest(p, rule_.count(n), scratch_.found);
+      tree_.points().k_nearest(p, rule_.count(n), scratch_.neighbours);
     } else {
       const double area = growth_.bounds().width() * growth_.bounds().height();
-      tree_.points().within(p, rule_.radius(n, area, growth_.step()), scratch_.found);
+      tree_.points().within(p, rule_.radius(n, area, growth_.step()), scratch_.neighbours);
     }
     scratch_.near.clear();
-    for (const auto& [square, node] : scratch_.found) {
-      const double length = std::sqrt(square);
+    for (const auto& [squared_distance, node] : scratch_.neighbours) {
+      const double length = std::sqrt(squared_distance);
       scratch_.near.push_back({length, tree_.cost(node) + length, node});
     }
   }
@@ -179,7 +178,7 @@ class RewiredTree {
     return cheapest;
   }
 
-  /// Makes a new node the parent of one near it, if that is better.
+  /// Makes a new node the parent of one near it, if that is cheaper.
   void rewire(const RewiredTreeScratch::Near& neighbour, Node node, const Point& p) {
     const double cost = tree_.cost(node), known = tree_.cost(neighbour.node);
     if (!(cost + neighbour.length < known)) return;
@@ -191,14 +190,14 @@ class RewiredTree {
 
   TreeGrowth<S, O>& growth_;
   NeighbourRule rule_;
-  const Price& edge_cost_;
+  const CostOf& edge_cost_;
   RewiredTreeScratch& scratch_;
   SearchTree& tree_;
   Node goal_ = SearchTree::none;
   double best_ = infinity;
 };
 
-/// The options of a search with an `RewiredTree`; what they are, see RrtStar.
+/// The options of a search with a RewiredTree; see RrtStar.
 template <class T>
 concept RewiredTreeOptions = TreeOptions<T> && requires(const T& options) {
   { options.goal_bias } -> std::same_as<const double&>;
@@ -206,19 +205,18 @@ concept RewiredTreeOptions = TreeOptions<T> && requires(const T& options) {
   { options.rewire_factor } -> std::same_as<const double&>;
 };
 
-/// Where a tree with a path samples, given the arguments that a search has for it: some point in
-/// the bounds.
+/// Draws a point in the bounds for a tree that has a path.
 template <class F, class... Arguments>
 concept Sampler = requires(const F& sample, Arguments&... arguments) {
   { sample(arguments...) } -> std::same_as<Point>;
 };
 
-/// Grows a tree towards as many samples as `options.iterations` and takes its best path, also where
-/// the budget ends before they do. From the first path on the samples are `sample(cost of the best
-/// path)`, before that uniform with `options.goal_bias`.
-template <RewiredTreeOptions Options, EdgeCost Price, FreeSpace S, Observer O,
+/// Grows a tree towards `options.iterations` samples and returns its best path, also if the budget
+/// ends before that. Samples are uniform with `options.goal_bias` until there is a path; after that
+/// they are `sample(cost of the best path)`.
+template <RewiredTreeOptions Options, EdgeCost CostOf, FreeSpace S, Observer O,
           Sampler<double> Sample>
-Expected<Route, Failure> grow(RewiredTree<Price, S, O>& tree, TreeGrowth<S, O>& growth,
+Expected<Route, Failure> grow(RewiredTree<CostOf, S, O>& tree, TreeGrowth<S, O>& growth,
                               const Options& options, const Sample& sample) {
   Failure end{.code = PlanError::budget_exhausted};
   for (std::uint32_t i = 0; i < options.iterations; ++i) {
@@ -238,7 +236,7 @@ Expected<Route, Failure> grow(RewiredTree<Price, S, O>& tree, TreeGrowth<S, O>& 
   return route;
 }
 
-/// Checks the options of a search with an `RewiredTree`, and the query.
+/// Checks the options of a search with a RewiredTree, then the query.
 template <RewiredTreeOptions Options, FreeSpace S>
 Expected<void, Failure> check_optimal_growth(const Options& options, const S& space,
                                              const Query& query) {
@@ -247,8 +245,7 @@ Expected<void, Failure> check_optimal_growth(const Options& options, const S& sp
   return check_growth(options, space, query);
 }
 
-/// A search for the shortest path. From the first path on the samples are `sample(growth, cost of
-/// the best path)`.
+/// RRT* with a sampler: once there is a path, samples are `sample(growth, cost of the best path)`.
 template <RewiredTreeOptions Options, FreeSpace S, Observer O,
           Sampler<TreeGrowth<S, O>, double> Sample>
 Expected<Route, Failure> search_with_rewired_tree(const Options& options, const S& space,

@@ -12,19 +12,19 @@
 #include "tutavia/search/tree/point_buckets.hpp"
 
 /// \file
-/// SearchTree: a tree of points that knows what its ways cost, and who is near whom.
+/// SearchTree: a tree of points with path costs and nearest-neighbour queries.
 
 namespace tutavia::detail {
 
-/// A tree of points, numbered in the order in which they are added; the root is node 0. The cost of
-/// a node is, to the bit, its parent's cost plus that of the edge between them. Memory is kept from
+/// A tree of points, numbered in the order of insertion; the root is node 0. The cost of a node is
+/// exactly, to the bit, its parent's cost plus that of the edge between them. Keeps its memory from
 /// one tree to the next.
 class SearchTree {
  public:
   using Node = PointBuckets::Index;
   static constexpr Node none = PointBuckets::none;
 
-  /// Starts again from a root in the bounds.
+  /// Starts a new tree. \pre the root lies in the bounds
   void reset(const Box& bounds, const Point& root) {
     points_.reset(bounds);
     links_.clear();
@@ -32,17 +32,17 @@ class SearchTree {
     links_.push_back({0, 0, none, none, none, none});
   }
 
-  /// Forgets the tree.
+  /// Removes all nodes.
   void clear() { links_.clear(); }
 
   std::size_t size() const { return links_.size(); }
   const PointBuckets& points() const { return points_; }
   Point position(Node node) const { return points_[node]; }
-  /// Of the way from the root.
+  /// Cost of the path from the root.
   double cost(Node node) const { return links_[node].cost; }
-  /// Of the edge from the parent.
+  /// Cost of the edge from the parent.
   double edge_cost(Node node) const { return links_[node].edge_cost; }
-  /// None for the root.
+  /// `none` for the root.
   Node parent(Node node) const { return links_[node].parent; }
 
   Node add(Node parent, const Point& p, double edge_cost) {
@@ -52,8 +52,8 @@ class SearchTree {
     return node;
   }
 
-  /// Gives a node another parent, and it and its descendants their new costs.
-  /// \pre the parent is no descendant of the node
+  /// Gives a node a new parent and updates the costs of the node and its descendants. \pre the
+  /// parent is not a descendant of the node
   void rewire(Node node, Node parent, double edge_cost) {
     unlink(node);
     link(node, parent);
@@ -64,11 +64,11 @@ class SearchTree {
     }
   }
 
-  /// The points on the way from the root to a node.
-  std::vector<Point> way_to(Node node) const {
-    std::vector<Point> way;
-    for (Node n = node; n != none; n = parent(n)) way.push_back(position(n));
-    return {way.rbegin(), way.rend()};
+  /// The points on the path from the root to a node.
+  std::vector<Point> path_to(Node node) const {
+    std::vector<Point> path;
+    for (Node n = node; n != none; n = parent(n)) path.push_back(position(n));
+    return {path.rbegin(), path.rend()};
   }
 
   /// Calls `visit(from, to)` for the ends of every edge, away from the root.
@@ -78,13 +78,13 @@ class SearchTree {
   }
 
  private:
-  struct EndpointLinks {
+  struct NodeLinks {
     double cost, edge_cost;
-    Node parent, child, next, previous;  // next and previous: children of the same parent
+    Node parent, child, next, previous;  // next and previous are siblings
   };
 
   void link(Node node, Node parent) {
-    EndpointLinks& links = links_[node];
+    NodeLinks& links = links_[node];
     Node& first = links_[parent].child;
     links.parent = parent;
     links.previous = none;
@@ -94,14 +94,14 @@ class SearchTree {
   }
 
   void unlink(Node node) {
-    const EndpointLinks& links = links_[node];
+    const NodeLinks& links = links_[node];
     TUTAVIA_ASSERT(links.parent != none);
     if (links.next != none) links_[links.next].previous = links.previous;
     (links.previous != none ? links_[links.previous].next : links_[links.parent].child) =
         links.next;
   }
 
-  /// The descendant of `top` that comes after a node, parents before their children.
+  /// The descendant of `top` after `current` in preorder.
   Node after(Node current, Node top) const {
     if (links_[current].child != none) return links_[current].child;
     while (current != top && links_[current].next == none) current = links_[current].parent;
@@ -109,7 +109,7 @@ class SearchTree {
   }
 
   PointBuckets points_;
-  std::vector<EndpointLinks> links_;
+  std::vector<NodeLinks> links_;
 };
 
 }  // namespace tutavia::detail

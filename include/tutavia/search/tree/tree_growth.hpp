@@ -21,11 +21,11 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// What the searches that grow trees by sampling have in common.
+/// TreeGrowth: sampling, steering and the budget of random-tree searches.
 
 namespace tutavia::detail {
 
-/// Memory of a search that grows one tree, and the tree that it grew last.
+/// Memory of a search with one tree. Holds the tree of the last query.
 struct TreeScratch {
   SearchTree tree;
 
@@ -36,21 +36,20 @@ struct TreeScratch {
   }
 };
 
-/// The step of a tree that was given none: a 25th of the bounds' longer side. Any will do in bounds
-/// of one point.
+/// The default step: 1/25 of the bounds' longer side (arbitrary for degenerate bounds).
 inline double default_step(const Box& bounds) {
   const double side = std::max(bounds.width(), bounds.height());
   return side > 0 ? side / 25 : 1;
 }
 
-/// The options of a search that grows trees; what they are, see Rrt. It may have a `goal_bias`.
+/// The options of a random-tree search; see Rrt. `goal_bias` is optional.
 template <class T>
 concept TreeOptions = requires(const T& options) {
   { options.step } -> std::same_as<const std::optional<double>&>;
   { options.iterations } -> std::same_as<const std::uint32_t&>;
 };
 
-/// Checks the options that all trees have, and the query.
+/// Checks the options that all random trees share, then the query.
 template <TreeOptions Options, FreeSpace S>
 Expected<void, Failure> check_growth(const Options& options, const S& space, const Query& query) {
   const Box& bounds = space.bounds();
@@ -71,7 +70,7 @@ Expected<void, Failure> check_growth(const Options& options, const S& space, con
   return check_query(space, query);
 }
 
-/// The path that needs no search: straight from start to goal.
+/// The straight segment from start to goal, if it is free.
 template <FreeSpace S>
 std::optional<Route> straight_route(const S& space, const Query& query) {
   if (query.start != query.goal && !space.segment_free(query.start, query.goal)) {
@@ -83,13 +82,13 @@ std::optional<Route> straight_route(const S& space, const Query& query) {
   return route;
 }
 
-/// The point on the way to a target that is at most a step away: the target itself where it is.
+/// The point at most one step from `from` towards a target; the target itself if it is that near.
 inline Point steer(const Point& from, const Point& target, double step) {
   const double gap = distance(from, target);
   return gap <= step ? target : lerp(from, target, step / gap);
 }
 
-/// One search that grows trees: where it samples, how it steps and when it has to end.
+/// One random-tree search: how it samples and steers, and when it ends.
 template <FreeSpace S, Observer O>
 class TreeGrowth {
  public:
@@ -107,14 +106,14 @@ class TreeGrowth {
   Random& random() { return random_; }
   const Statistics& stats() const { return context_.statistics; }
 
-  /// Begins the next iteration and counts it. Errors: what the budget says.
+  /// Counts an iteration. Errors: those of the budget.
   Expected<void, Failure> next_iteration() {
     if (auto within = context_.check_budget(); !within) return within;
     ++context_.statistics.expanded;
     return {};
   }
 
-  /// Uniform over the bounds; blocked points, too: they are only directions to grow in.
+  /// Uniform over the bounds. The point may be blocked; it only gives a direction.
   Point sample() {
     const double x = random_.uniform(bounds_.min.x(), bounds_.max.x());
     const double y = random_.uniform(bounds_.min.y(), bounds_.max.y());
@@ -122,7 +121,7 @@ class TreeGrowth {
   }
   Point sample(double goal_bias) { return random_.uniform() < goal_bias ? query().goal : sample(); }
 
-  /// A step from a node towards a target, if that leads to another point and is free.
+  /// The end of a step from a node towards a target; empty if it is blocked or does not move.
   std::optional<Point> step_towards(const SearchTree& tree, SearchTree::Node from,
                                     const Point& target) {
     const Point start = tree.position(from), end = steer(start, target, step_);
@@ -136,7 +135,8 @@ class TreeGrowth {
     return tree.add(parent, p, cost);
   }
 
-  /// Why there is no path, from what ended the search; how near the tree came is told.
+  /// Completes the failure of a search with the number of iterations and the tree's distance from
+  /// the goal.
   Failure failure(Failure failure, const SearchTree& tree) const {
     const Point nearest = tree.position(tree.points().nearest(query().goal));
     failure.detail = "no path after " + std::to_string(stats().expanded) +
@@ -146,8 +146,8 @@ class TreeGrowth {
     return failure;
   }
 
-  void tell_improved(const std::vector<Point>& way, double cost) {
-    if constexpr (AnytimeObserver<O>) context_.observer.improved(Curve::polyline(way), cost);
+  void notify_improved(const std::vector<Point>& path, double cost) {
+    if constexpr (AnytimeObserver<O>) context_.observer.improved(Curve::polyline(path), cost);
   }
 
  private:
