@@ -15,20 +15,20 @@
 #include "tutavia/search/rectangle/bidirectional_rectangles.hpp"
 
 /// \file
-/// Improved REA*: rectangle expansion from both ends, evaluated at the middles of exits.
+/// Improved REA*: rectangle expansion from both ends, with exits evaluated at their midpoints.
 
 namespace tutavia {
 
-/// From where ImprovedReaStar counts what a exit has cost.
+/// How ImprovedReaStar computes the cost g of an exit.
 enum class ExitCost {
-  cumulative,  ///< from the root, by the middles of all exits on the way
-  last_leg,    ///< from the middle of the exit before, as the paper's formula has it
+  cumulative,  ///< from the root, through the midpoints of all exits before it
+  last_leg,    ///< from the midpoint of the previous exit alone, as in the paper's formula
 };
 
 namespace detail {
 
-/// Exits by the distances between their middles: f = g + (1 + w) h, where w is the less the
-/// better a exit's direction agrees with that to the goal.
+/// Evaluates exits by the distances between their midpoints: f = g + (1 + w) h. The weight w
+/// decreases as the exit's direction aligns with the direction to the goal.
 class MidpointCost {
  public:
   ExitCost exit_cost = ExitCost::cumulative;
@@ -51,15 +51,15 @@ class MidpointCost {
     return g + (1 + weight(exit.cells, at)) * (goal_ - at).norm();
   }
 
-  /// Nodes have their places when the path is known.
-  int place_before(const Exit& exit, Cell) const { return exit.cells.first; }
+  /// Nodes are placed only when the path is known.
+  int source_of(const Exit& exit, Cell) const { return exit.cells.first; }
 
   std::pair<double, Cell> meet(const Exit& from, const MidpointCost&, const Exit& to,
-                               const CellInterval& joint) const {
-    const Point at = middle(joint);
+                               const CellInterval& meeting) const {
+    const Point at = middle(meeting);
     const double length =
         from.g + (at - middle(from.cells)).norm() + (at - middle(to.cells)).norm() + to.g;
-    return {length, joint.middle()};
+    return {length, meeting.middle()};
   }
 
  private:
@@ -80,51 +80,54 @@ class MidpointCost {
   Point goal_ = Point::Zero(), size_ = Point::Zero();
 };
 
-/// The paper's numbers of directions: north (towards lower rows) 1, south 2, west 3, east 4.
+/// The paper's numbering of directions: north (towards lower rows) 1, south 2, west 3, east 4.
 inline int direction_number(const CellInterval& cells) {
   if (cells.axis == 0) return cells.side < 0 ? 1 : 2;
   return cells.side < 0 ? 3 : 4;
 }
 
-/// Places the nodes by the paper's markers, of the changes of direction d from rail to rail: where
-/// one is taken back by the next (and where the waves met) at the end of the rail that is nearer to
-/// the node before; elsewhere where the straight line from the node before to the one after crosses
-/// the rail, or as near as it can be. Twice, because the node after is known only then.
-inline void place_by_markers(std::vector<Rail>& rails, std::size_t joint) {
-  const std::size_t last = rails.size() - 1;
+/// Places the nodes by the paper's markers, which are the changes of direction number from portal
+/// to portal. If a change is reversed by the next one, or if the two searches met at the portal,
+/// the node lies at the portal's end nearer to the previous node. Otherwise it lies where the
+/// straight line from the previous to the next node crosses the portal, or as near to that as
+/// possible. Two passes, because the next node is known only after the first.
+inline void place_by_markers(std::vector<CellPortal>& portals, std::size_t meeting) {
+  const std::size_t last = portals.size() - 1;
   const auto change = [&](std::size_t i) {
     if (i + 1 >= last) return 0;
-    return direction_number(rails[i + 1].cells) - direction_number(rails[i].cells);
+    return direction_number(portals[i + 1].cells) - direction_number(portals[i].cells);
   };
-  for (Rail& rail : rails) rail.place = (rail.cells.first + rail.cells.last) / 2;
+  for (CellPortal& portal : portals) portal.u = (portal.cells.first + portal.cells.last) / 2;
   for (int pass = 0; pass < 2; ++pass) {
     for (std::size_t i = 1; i < last; ++i) {
-      const CellInterval& cells = rails[i].cells;
-      const Cell before = rails[i - 1].node(), after = rails[i + 1].node();
-      if (i == joint || (change(i) != 0 && change(i + 1) == -change(i))) {
+      const CellInterval& cells = portals[i].cells;
+      const Cell before = portals[i - 1].node(), after = portals[i + 1].node();
+      if (i == meeting || (change(i) != 0 && change(i + 1) == -change(i))) {
         const bool is_first = cell_distance(before, cells.cell(cells.first)) <=
                               cell_distance(before, cells.cell(cells.last));
-        rails[i].place = is_first ? cells.first : cells.last;
+        portals[i].u = is_first ? cells.first : cells.last;
       } else {
-        rails[i].place = nearest_place(cells, crossing(cells, before, after, rails[i].place));
+        portals[i].u = nearest_column(cells, crossing(cells, before, after, portals[i].u));
       }
     }
   }
 }
 
-/// Appends the corners of the shortest path through rails, from the last node to the first, which
-/// stay; each end of a rail on the hand where who follows the path has it.
-inline void append_pulled(const std::vector<Rail>& rails, std::size_t first, std::size_t last,
-                          std::vector<Cell>& cells) {
+/// Appends the vertices of the shortest path through the portals between the nodes `first` and
+/// `last`, which stay fixed, in order from `last` to `first`. Portal ends are ordered left and
+/// right as seen by a robot that follows the path.
+inline void append_pulled(const std::vector<CellPortal>& portals, std::size_t first,
+                          std::size_t last, std::vector<Cell>& cells) {
   const auto point = [](Cell c) { return Point{double(c.x), double(c.y)}; };
-  std::vector<std::pair<Point, Point>> portals;
+  std::vector<std::pair<Point, Point>> portal_ends;
   for (std::size_t i = first + 1; i < last; ++i) {
-    const CellInterval& rail = rails[i].cells;
-    Point right = point(rail.cell(rail.last)), left = point(rail.cell(rail.first));
-    if ((rail.axis == 0) != (rail.side > 0)) std::swap(right, left);
-    portals.emplace_back(right, left);
+    const CellInterval& portal = portals[i].cells;
+    Point right = point(portal.cell(portal.last)), left = point(portal.cell(portal.first));
+    if ((portal.axis == 0) != (portal.side > 0)) std::swap(right, left);
+    portal_ends.emplace_back(right, left);
   }
-  const auto path = funnel_path(portals, point(rails[first].node()), point(rails[last].node()));
+  const auto path =
+      funnel_path(portal_ends, point(portals[first].node()), point(portals[last].node()));
   for (auto p = path.rbegin(); p != path.rend(); ++p) {
     append_cell(cells, {static_cast<int>(p->x()), static_cast<int>(p->y())});
   }
@@ -136,18 +139,19 @@ inline double path_length(const std::vector<Cell>& cells) {
   return length;
 }
 
-/// The corners of the shortest path through rails and a whole cell of the joint, from last to
-/// first. The path may come back from the joint to the side that it came from, so it is pulled in
-/// two halves; their lengths are convex along the joint, and the best cell is found by bisection.
-inline std::vector<Cell> pulled_path(std::vector<Rail>& rails, std::size_t joint) {
-  const auto path_by = [&](int place) {
-    rails[joint].place = place;
+/// The vertices of the shortest path through the portals and one whole cell of the meeting
+/// portal, from last to first. The path may leave the meeting portal on the side it came from, so
+/// each half is pulled taut on its own. The total length is convex along the meeting portal, so
+/// bisection finds the best cell.
+inline std::vector<Cell> pulled_path(std::vector<CellPortal>& portals, std::size_t meeting) {
+  const auto path_by = [&](int u) {
+    portals[meeting].u = u;
     std::vector<Cell> cells;
-    append_pulled(rails, joint, rails.size() - 1, cells);
-    append_pulled(rails, 0, joint, cells);
+    append_pulled(portals, meeting, portals.size() - 1, cells);
+    append_pulled(portals, 0, meeting, cells);
     return cells;
   };
-  int first = rails[joint].cells.first, last = rails[joint].cells.last;
+  int first = portals[meeting].cells.first, last = portals[meeting].cells.last;
   while (first < last) {
     const int middle = first + (last - first) / 2;
     if (path_length(path_by(middle)) <= path_length(path_by(middle + 1))) {
@@ -161,40 +165,43 @@ inline std::vector<Cell> pulled_path(std::vector<Rail>& rails, std::size_t joint
 
 }  // namespace detail
 
-/// Free rectangles that grow from the start and from the goal by turns until they meet; exits
-/// out of them are evaluated at their middles, f = g + (1 + w) h, with a weight w against
-/// directions away from the goal. Then the path is laid through the exits.
+/// Grows free rectangles from the start and from the goal in turn until they meet. Exits of
+/// rectangles are evaluated at their midpoints, f = g + (1 + w) h, where the weight w penalises
+/// directions away from the goal. The path is then placed through the exits.
 ///
-/// Complete on the grid, not optimal; the test suite reports how much longer its paths are. Needs
-/// the movement rule `no_cut`, else `invalid_option`; other errors as for AStar.
-/// `Statistics::expanded` counts rectangles; `Route::cost` is the length.
+/// Complete on the grid, not optimal; the test suite reports by how much its paths exceed the
+/// optimum. `Statistics::expanded` counts rectangles; `Route::cost` is the length. Errors:
+/// `invalid_option` for any movement rule but `no_cut`; others as for AStar.
 ///
-/// Source: "Improved REA*", algorithms 2 to 4; what is ambiguous or does not work there, see
-/// docs/algorithms.md.
+/// Source: "Improved REA*", algorithms 2 to 4; docs/algorithms.md says how ambiguous and failing
+/// steps are resolved.
+///
+/// Example: examples/searches_on_cells.cpp.
 struct ImprovedReaStar {
   static constexpr std::string_view name = "improved_rea_star";
   using Scratch = detail::BidirectionalRectanglesScratch<detail::MidpointCost>;
 
   ExitCost exit_cost = ExitCost::cumulative;
-  /// Whether to go on after the waves have met, until no key is below the length of a path through
-  /// the middles that is known.
+  /// Whether to continue after the two searches have met, until no key is smaller than the length
+  /// of the best known path through midpoints.
   bool continue_after_contact = false;
-  /// Whether the path is the shortest through the exits and a whole cell of where the waves met,
-  /// nodes left out whose neighbours see each other; else its nodes are placed by the paper's
-  /// markers, and it is never shorter.
+  /// Whether to return the shortest path through the exits and one whole cell of the meeting exit,
+  /// without nodes whose neighbours see each other. Otherwise nodes are placed by the paper's
+  /// markers, and the path is never shorter.
   bool funnel = true;
 
   template <detail::ColumnLineOfSightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    for (auto& wave : scratch.waves) wave.evaluation.exit_cost = exit_cost;
+    for (auto& expansion : scratch.expansions) expansion.evaluation.exit_cost = exit_cost;
     return detail::bidirectional_rectangles(
         space, query, scratch, observer, name, continue_after_contact,
-        [&](std::vector<detail::Rail>& rails, std::size_t joint, std::vector<Cell>& cells) {
-          detail::place_by_markers(rails, joint);
-          detail::append_corners(rails, cells);
+        [&](std::vector<detail::CellPortal>& portals, std::size_t meeting,
+            std::vector<Cell>& cells) {
+          detail::place_by_markers(portals, meeting);
+          detail::append_corners(portals, cells);
           if (!funnel) return;
-          std::vector<Cell> pulled = detail::pulled_path(rails, joint);
+          std::vector<Cell> pulled = detail::pulled_path(portals, meeting);
           detail::remove_redundant(pulled,
                                    [&](Cell a, Cell b) { return space.line_of_sight(a, b); });
           if (detail::path_length(pulled) < detail::path_length(cells)) cells = std::move(pulled);

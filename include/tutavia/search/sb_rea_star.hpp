@@ -14,13 +14,13 @@
 #include "tutavia/search/rectangle/border_costs.hpp"
 
 /// \file
-/// SBREA*: rectangle expansion from both ends, with nodes that slide along their rails.
+/// SBREA*: rectangle expansion from both ends, with nodes that slide along their portals.
 
 namespace tutavia {
 
 namespace detail {
 
-/// Exits by octile distances to each of their cells.
+/// Evaluates exits by the octile distances to each of their cells.
 class OctileCost {
  public:
   void reset(Cell goal, Cost goal_offset, const OccupancyGrid&) {
@@ -35,58 +35,60 @@ class OctileCost {
   }
 
   void expand(const Exit& from) {
-    reach_.reset(from.cells, [&](int place) { return cost_of(from, place); });
+    border_.reset(from.cells, [&](int u) { return cost_of(from, u); });
   }
-  void reach(const CellInterval& edge) { reach_.reach(edge); }
+  void reach(const CellInterval& edge) { border_.reach(edge); }
 
   double enter(Exit& exit, const Exit&) {
     exit.costs = static_cast<std::uint32_t>(costs_.size());
     Cost key = std::numeric_limits<Cost>::max();
-    for (int place = exit.cells.first; place <= exit.cells.last; ++place) {
-      costs_.push_back(reach_[place]);
-      key = std::min(key, reach_[place] + estimate_(exit.cells.cell(place)));
+    for (int u = exit.cells.first; u <= exit.cells.last; ++u) {
+      costs_.push_back(border_[u]);
+      key = std::min(key, border_[u] + estimate_(exit.cells.cell(u)));
     }
     return static_cast<double>(key);
   }
 
-  int place_before(const Exit& exit, Cell to) {
+  int source_of(const Exit& exit, Cell to) {
     expand(exit);
-    return reach_.reach(to).place;
+    return border_.reach(to).u;
   }
 
   std::pair<double, Cell> meet(const Exit&, const OctileCost& other, const Exit& to,
-                               const CellInterval& joint) {
-    reach_.reach(joint);
+                               const CellInterval& meeting) {
+    border_.reach(meeting);
     std::pair best{std::numeric_limits<Cost>::max(), Cell{}};
-    for (int place = joint.first; place <= joint.last; ++place) {
-      const Cost cost = reach_[place] + other.cost_of(to, place);
-      if (cost < best.first) best = {cost, joint.cell(place)};
+    for (int u = meeting.first; u <= meeting.last; ++u) {
+      const Cost cost = border_[u] + other.cost_of(to, u);
+      if (cost < best.first) best = {cost, meeting.cell(u)};
     }
     return {static_cast<double>(best.first), best.second};
   }
 
  private:
-  Cost cost_of(const Exit& exit, int place) const {
-    return costs_[exit.costs + static_cast<std::size_t>(place - exit.cells.first)];
+  Cost cost_of(const Exit& exit, int u) const {
+    return costs_[exit.costs + static_cast<std::size_t>(u - exit.cells.first)];
   }
 
   OctileHeuristic estimate_{};
-  BorderCosts reach_;        // from the exit that was expanded last
-  std::vector<Cost> costs_;  // of the cells of exits
+  BorderCosts border_;       // from the exit expanded last
+  std::vector<Cost> costs_;  // of the cells of all exits
 };
 
 }  // namespace detail
 
-/// Free rectangles that grow from the start and from the goal by turns until they meet, each wave
-/// in the order of A* with octile distances to every cell of its exits. Then the path's nodes
-/// slide along the exits to where it is shortest, and those on straight lines go.
+/// Grows free rectangles from the start and from the goal in turn until they meet. Each search
+/// expands in the order of A*, with octile distances to every cell of its exits. The path's nodes
+/// then slide along the exits to shorten it, and collinear nodes are removed.
 ///
-/// Complete on the grid, not optimal: it stops where the waves meet first; the test suite reports
-/// how much longer its paths are. Needs the movement rule `no_cut`, else `invalid_option`; other
-/// errors as for AStar. `Statistics::expanded` counts rectangles; `Route::cost` is the length.
+/// Complete on the grid, not optimal: it stops at the first meeting. The test suite reports by how
+/// much its paths exceed the optimum. `Statistics::expanded` counts rectangles; `Route::cost` is
+/// the length. Errors: `invalid_option` for any movement rule but `no_cut`; others as for AStar.
 ///
-/// Source: named in Zhang, Li and Bi 2016, "Rectangle expansion A* pathfinding for grid maps"; how
-/// its steps are read here, see docs/algorithms.md.
+/// Source: named in Zhang, Li and Bi 2016, "Rectangle expansion A* pathfinding for grid maps"; see
+/// docs/algorithms.md for this reading of its steps.
+///
+/// Example: examples/searches_on_cells.cpp.
 struct SbReaStar {
   static constexpr std::string_view name = "sb_rea_star";
   using Scratch = detail::BidirectionalRectanglesScratch<detail::OctileCost>;
@@ -96,9 +98,9 @@ struct SbReaStar {
                                   O& observer) const {
     return detail::bidirectional_rectangles(
         space, query, scratch, observer, name, false,
-        [](std::vector<detail::Rail>& rails, std::size_t, std::vector<Cell>& cells) {
-          detail::slide(rails);
-          detail::append_corners(rails, cells);
+        [](std::vector<detail::CellPortal>& portals, std::size_t, std::vector<Cell>& cells) {
+          detail::slide(portals);
+          detail::append_corners(portals, cells);
         });
   }
 };

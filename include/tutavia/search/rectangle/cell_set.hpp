@@ -12,10 +12,10 @@
 
 namespace tutavia::detail {
 
-/// A set of cells, added to by runs and rectangles. Keeps its memory.
+/// A set of cells; runs and rectangles can be added at once. Keeps its memory.
 class CellSet {
  public:
-  /// Starts again with none of a grid's cells.
+  /// Makes the set empty, for the cells of a grid.
   void reset(const OccupancyGrid& grid) {
     if (members_.width() != grid.width() || members_.height() != grid.height()) {
       members_ = OccupancyGrid::blocked(grid.width(), grid.height(),
@@ -34,7 +34,7 @@ class CellSet {
     }
   }
 
-  /// Whether it holds all cells of an interval.
+  /// Whether the set contains all cells of an interval.
   bool holds(const CellInterval& cells) const {
     if (cells.axis == 0) return all_free(members_, cells.line, cells.run());
     int y = cells.first;
@@ -42,7 +42,7 @@ class CellSet {
     return y > cells.last;
   }
 
-  /// Calls `visit(cell)` for the cells of a rectangle that it holds, row by row.
+  /// Calls `visit(cell)` for the cells of a rectangle that the set contains, row by row.
   template <class Visit>
   void for_each_in(const CellRectangle& r, Visit visit) const {
     for (int y = r.runs[1].first; y <= r.runs[1].last; ++y) {
@@ -51,7 +51,7 @@ class CellSet {
     }
   }
 
-  /// Whether it holds any cell of an interval.
+  /// Whether the set contains any cell of an interval.
   bool meets(const CellInterval& cells) const {
     if (cells.axis == 0) return members_.run_end(cells.line, cells.first, false) <= cells.last;
     int y = cells.first;
@@ -60,7 +60,7 @@ class CellSet {
   }
 
  private:
-  OccupancyGrid members_;  // free: a member
+  OccupancyGrid members_;  // a free cell is a member
 };
 
 }  // namespace tutavia::detail

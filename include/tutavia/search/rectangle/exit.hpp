@@ -14,28 +14,30 @@
 #include "tutavia/search/rectangle/portal_chain.hpp"
 
 /// \file
-/// Exit: a way out of a free rectangle, what it costs, and a wave of them.
+/// Exit: an exit of a free rectangle, its evaluation, and the state of a rectangle expansion.
 
 namespace tutavia::detail {
 
-/// Cells on the edge of a free rectangle whose neighbours beyond it are free: a way out of it. The
-/// next rectangle grows from these cells over the edge, so that the two share them.
+/// An exit of a free rectangle: cells on its edge whose neighbours beyond the edge are free. The
+/// next rectangle grows from these cells over the edge, so the two rectangles share them.
 struct Exit {
-  CellInterval cells;         ///< their side leads out; a root is a single cell
-  std::uint32_t parent = 0;   ///< the exit that the rectangle grew from; a root's is itself
-  CellRectangle rectangle{};  ///< that grew from this one, if it was expanded
-  double g = 0;               ///< what the evaluation keeps
-  std::uint32_t costs = 0;    ///< the same
-  std::uint64_t asked = 0;    ///< in which expansion it was considered last
+  CellInterval cells;         ///< their side points outwards; a root is a single cell
+  std::uint32_t parent = 0;   ///< the exit from which its rectangle grew; a root is its own parent
+  CellRectangle rectangle{};  ///< grown from this exit, if it was expanded
+  double g = 0;               ///< for the evaluation
+  std::uint32_t costs = 0;    ///< for the evaluation
+  std::uint64_t last_visited = 0;  ///< the expansion that considered it last
 };
 
-/// What exits cost to one wave of rectangles. It keeps memory of its own.
+/// The cost of exits in one side of a bidirectional search. An evaluation keeps its memory between
+/// queries.
 ///
-/// - `reset(goal, offset, grid)`: a query begins; the goal is where the wave goes to
+/// - `reset(goal, offset, grid)`: starts a query towards `goal`
 /// - `root(exit, cost)`, `enter(exit, parent)`: the key of a new exit
-/// - `place_before(exit, cell)`: where the way to a cell of its rectangle passes it
-/// - `meet(exit, other evaluation, other's exit, joint)`: the length and the cell of the best
-///   meeting in the cells `joint` of the other's exit, which lie in the rectangle that grew from
+/// - `source_of(exit, cell)`: the coordinate in `exit` through which the path to a cell of its
+///   rectangle passes
+/// - `meet(exit, other evaluation, other's exit, cells)`: the length and the cell of the best
+///   meeting in `cells`, which belong to the other's exit and lie in the rectangle grown from
 ///   `exit`
 template <class E>
 concept ExitEvaluation = std::default_initializable<E> &&
@@ -44,12 +46,13 @@ concept ExitEvaluation = std::default_initializable<E> &&
   evaluation.reset(cell, cost, grid);
   { evaluation.root(exit, cost) } -> std::same_as<double>;
   { evaluation.enter(exit, from) } -> std::same_as<double>;
-  { evaluation.place_before(from, cell) } -> std::same_as<int>;
+  { evaluation.source_of(from, cell) } -> std::same_as<int>;
   { evaluation.meet(from, other, from, cells) } -> std::same_as<std::pair<double, Cell>>;
 };
 
-/// An evaluation that looks at cells from the exit expanded last: `expand(exit)` says that a
-/// rectangle grows from it, or is looked at again; `reach(edge)` that its side `edge` is left next.
+/// An evaluation that computes costs per cell, from the exit expanded last. `expand(exit)` is
+/// called before a rectangle that grew from `exit` is used; `reach(edge)` before exits over its
+/// side `edge` are entered.
 template <class E>
 concept CellwiseEvaluation = ExitEvaluation<E> &&
     requires(E& evaluation, const Exit& from, const CellInterval& edge) {
@@ -57,7 +60,7 @@ concept CellwiseEvaluation = ExitEvaluation<E> &&
   evaluation.reach(edge);
 };
 
-/// What a wave of rectangles keeps between queries: memory.
+/// State of a rectangle expansion from one end; keeps its memory between queries.
 template <ExitEvaluation Evaluation>
 struct RectangleExpansion {
   struct Entry {
@@ -72,15 +75,15 @@ struct RectangleExpansion {
   std::vector<std::uint32_t> expanded;
   OpenHeap<Entry> open;
   CellSet marked, covered;             // cells of exits, cells of rectangles
-  std::vector<std::uint32_t> markers;  // of the cells that are marked: a exit that holds it
+  std::vector<std::uint32_t> markers;  // per marked cell: an exit that contains it
   Evaluation evaluation;
 };
 
 template <ExitEvaluation Evaluation>
 struct BidirectionalRectanglesScratch {
-  std::array<RectangleExpansion<Evaluation>, 2> waves;
+  std::array<RectangleExpansion<Evaluation>, 2> expansions;
   std::vector<CellRun> exits;
-  std::vector<Rail> rails;
+  std::vector<CellPortal> portals;
   std::vector<Cell> cells;
 };
 

@@ -16,29 +16,29 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// FreeRectangles: rectangles of free cells, grown from a line of them.
+/// FreeRectangles: grows rectangles of free cells from intervals of free cells.
 
 namespace tutavia::detail {
 
-/// The places of a line from the first to the last.
+/// The coordinates of a line from first to last.
 struct CellRun {
   int first = 0, last = -1;
   int size() const { return last - first + 1; }
 };
 
-/// Cells of one line with a side of it: along x (`axis` 0, `line` is a row) or along y (1, a
-/// column), towards higher lines (`side` 1) or lower ones (-1).
+/// An interval of cells on one line, and one side of it: along x (`axis` 0, `line` is a row) or
+/// along y (1, a column), with the side towards higher lines (`side` 1) or lower ones (-1).
 struct CellInterval {
   int axis = 0, line = 0, first = 0, last = 0, side = 1;
 
-  Cell cell(int place) const { return axis == 0 ? Cell{place, line} : Cell{line, place}; }
+  Cell cell(int u) const { return axis == 0 ? Cell{u, line} : Cell{line, u}; }
   Cell middle() const { return cell((first + last) / 2); }
   CellRun run() const { return {first, last}; }
-  /// The same places on the next line.
+  /// The same coordinates on the next line.
   CellInterval beyond() const { return {axis, line + side, first, last, side}; }
 };
 
-/// All cells of some columns and rows.
+/// The cells in a run of columns and a run of rows.
 struct CellRectangle {
   std::array<CellRun, 2> runs;  ///< of columns, of rows
 
@@ -46,13 +46,13 @@ struct CellRectangle {
     return runs[0].first <= cell.x && cell.x <= runs[0].last && runs[1].first <= cell.y &&
            cell.y <= runs[1].last;
   }
-  /// The cells of a side: along `axis`, at its end towards `side`.
+  /// The cells of a side: those along `axis`, at the end towards `side`.
   CellInterval edge(int axis, int side) const {
     const CellRun& along = runs[static_cast<std::size_t>(axis)];
     const CellRun& across = runs[static_cast<std::size_t>(1 - axis)];
     return {axis, side > 0 ? across.last : across.first, along.first, along.last, side};
   }
-  /// The cells of an interval that lie in it; none where `last` is less than `first`.
+  /// The cells of an interval inside the rectangle; empty (`last` < `first`) if there are none.
   CellInterval clip(const CellInterval& cells) const {
     const CellRun& along = runs[static_cast<std::size_t>(cells.axis)];
     const CellRun& across = runs[static_cast<std::size_t>(1 - cells.axis)];
@@ -64,7 +64,7 @@ struct CellRectangle {
   }
 };
 
-/// Tells an observer of a rectangle, if it wishes to know.
+/// Reports a rectangle to an observer that is a RectangleObserver.
 template <LinkedSpace S, Observer O>
 void notify_rectangle(O& observer, const S& space, const CellInterval& from,
                       const CellRectangle& r) {
@@ -83,20 +83,20 @@ inline bool all_free(const OccupancyGrid& grid, int y, const CellRun& run) {
                      static_cast<std::uint32_t>(run.size()));
 }
 
-/// Grows rectangles in the free cells of a space, a run of cells at a time.
+/// Grows rectangles in the free cells of a space, one run of cells at a time.
 class FreeRectangles {
  public:
   template <ColumnSpace S>
   explicit FreeRectangles(const S& space) : lines_{&space.grid(), &space.columns()} {}
 
-  /// Whether the cells of a line are free; false for lines beyond the grid.
+  /// Whether the cells of a run are free; false for lines beyond the grid.
   bool is_free(int axis, int line, const CellRun& run) const {
     const OccupancyGrid& lines = of(axis);
     return line >= 0 && line < lines.height() && all_free(lines, line, run);
   }
 
-  /// The largest free rectangle that grows from free cells: towards their side as far as that is
-  /// free in their width, then along them both ways.
+  /// The largest free rectangle grown from free cells: first over their side as far as the full
+  /// width is free, then along the interval in both directions.
   CellRectangle grow(const CellInterval& from) const {
     CellRectangle r;
     CellRun& along = r.runs[static_cast<std::size_t>(from.axis)];
@@ -110,8 +110,8 @@ class FreeRectangles {
     return r;
   }
 
-  /// A free rectangle that holds a free cell: its sides go out in turn, a line at a time, until
-  /// none can.
+  /// A free rectangle around a free cell: its sides advance in turn, one line at a time, until none
+  /// can.
   CellRectangle grow_around(Cell cell) const {
     CellRectangle r{{CellRun{cell.x, cell.x}, CellRun{cell.y, cell.y}}};
     for (bool grows = true; grows;) {
@@ -131,7 +131,7 @@ class FreeRectangles {
     return r;
   }
 
-  /// Appends the free runs of a line, as far as they lie in `within`; none beyond the grid.
+  /// Appends the free runs of a line, clipped to `within`; none beyond the grid.
   void append_free_runs(int axis, int line, const CellRun& within,
                         std::vector<CellRun>& runs) const {
     const OccupancyGrid& lines = of(axis);
@@ -145,7 +145,7 @@ class FreeRectangles {
     }
   }
 
-  /// Rows (axis 0), or columns as rows.
+  /// The grid for axis 0, its transpose for axis 1.
   const OccupancyGrid& of(int axis) const { return *lines_[static_cast<std::size_t>(axis)]; }
 
  private:
