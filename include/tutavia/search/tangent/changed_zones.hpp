@@ -10,14 +10,15 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// ChangedZones: which ways pass where obstacles have changed.
+/// ChangedZones: which tangent edges pass near changed obstacles.
 
 namespace tutavia::detail {
 
-/// Boxes where obstacles have changed, as far as it matters to ways within the bounds of a space.
+/// Boxes in which obstacles have changed, clipped to what can affect edges within the bounds of a
+/// space.
 class ChangedZones {
  public:
-  /// `margin`: how far from an obstacle a way may lie and yet depend on it [m].
+  /// `margin`: the distance up to which an obstacle can affect an edge [m].
   ChangedZones(std::span<const Box> changed, const Box& bounds, double margin) {
     for (const Box& box : changed) {
       const Box zone = box.inflated(margin);
@@ -27,8 +28,8 @@ class ChangedZones {
     }
   }
 
-  /// Whether the segment from a to b meets such a box, grown by the margin and by `radius` [m] on
-  /// every side; right but for rounding.
+  /// Whether the segment from a to b meets one of the boxes, grown by the margin and by `radius`
+  /// [m] on every side; exact up to rounding.
   bool are_near(const Point& a, const Point& b, double radius) const {
     const double dx = b.x() - a.x(), dy = b.y() - a.y();
     const double width = std::abs(dx), height = std::abs(dy);

@@ -17,12 +17,12 @@
 #include "tutavia/space/index/passing_radius.hpp"
 
 /// \file
-/// TangentCircles: the circles that shortest paths of a disc turn around.
+/// TangentCircles: the circles around which shortest paths of a disc turn.
 
 namespace tutavia::detail {
 
-/// The circles of a space, in an order that depends on their places alone: of the safety radius
-/// around obstacle vertices, larger ones around discs. Nodes are as in TangentVisibilityGraph.
+/// The circles of a space: of the safety radius around obstacle vertices, larger ones around discs.
+/// Their order depends on their centres and radii alone. For nodes see TangentVisibilityGraph.
 class TangentCircles {
  public:
   using Node = std::uint32_t;
@@ -31,7 +31,7 @@ class TangentCircles {
   struct Circle {
     Point center;
     double radius;
-    std::uint32_t first_edge, last_edge;  ///< the directions of the vertex's edges
+    std::uint32_t first_edge, last_edge;  ///< range of the directions of the vertex's edges
     bool operator==(const Circle&) const = default;
   };
 
@@ -50,11 +50,11 @@ class TangentCircles {
   /// Whether a path may touch a node's circle while it runs in a direction; see
   /// TangentVisibilityGraph.
   bool touches(Node node, const Point& direction) const;
-  /// Calls `visit(node)` for the nodes to which there may be a way; see TangentVisibilityGraph.
+  /// Calls `visit(node)` for the nodes to which there may be an edge; see TangentVisibilityGraph.
   template <class Visit>
   void for_each_candidate(const OrientedCircle& at, Node from, Visit visit) const;
-  /// For each circle the index of the one in the same place among others, `none` where it has none.
-  std::vector<Node> places_in(const TangentCircles& others) const;
+  /// For each circle, the index of the equal circle in `others`; `none` if there is none.
+  std::vector<Node> indices_in(const TangentCircles& others) const;
 
   bool operator==(const TangentCircles&) const = default;
   std::size_t memory() const {
@@ -113,9 +113,10 @@ inline bool TangentCircles::touches(Node node, const Point& direction) const {
   return true;
 }
 
-/// Refuses most directions that `touches` would refuse, and none else, for a way between circles
-/// whose centres lie `between` apart and whose radii add up to `radii`, at most a quarter of that:
-/// it turns from the line of the centres by an angle of which the sine is radii / distance at most.
+/// A fast filter for the edge between two circles: rejects most directions that `touches` would
+/// reject, and no others. `between` is the vector between the centres, and `radii` the sum of the
+/// radii, at most a quarter of its length. The edge deviates from the line of centres by an angle
+/// whose sine is at most radii / distance.
 inline bool TangentCircles::may_touch(const Circle& circle, int side, const Point& between,
                                       double radii) const {
   const double limit = 1.25 * radii + 2e-9 * (std::abs(between.x()) + std::abs(between.y()));
@@ -142,20 +143,20 @@ void TangentCircles::for_each_candidate(const OrientedCircle& at, Node from, Vis
   }
 }
 
-/// Both have their circles in the same order, so the indices rise.
-inline std::vector<TangentCircles::Node> TangentCircles::places_in(
+/// Both are sorted in the same way, so one pass finds all.
+inline std::vector<TangentCircles::Node> TangentCircles::indices_in(
     const TangentCircles& others) const {
   const auto key = [](const Circle& c) { return std::tuple(c.center.x(), c.center.y(), c.radius); };
-  std::vector<Node> places(circles_.size(), none);
-  auto its = others.circles_.begin();
+  std::vector<Node> indices(circles_.size(), none);
+  auto other = others.circles_.begin();
   for (std::size_t i = 0; i < circles_.size(); ++i) {
-    while (its != others.circles_.end() && key(*its) < key(circles_[i])) ++its;
-    if (its == others.circles_.end()) break;
-    if (key(*its) == key(circles_[i])) {
-      places[i] = static_cast<Node>(its - others.circles_.begin());
+    while (other != others.circles_.end() && key(*other) < key(circles_[i])) ++other;
+    if (other == others.circles_.end()) break;
+    if (key(*other) == key(circles_[i])) {
+      indices[i] = static_cast<Node>(other - others.circles_.begin());
     }
   }
-  return places;
+  return indices;
 }
 
 }  // namespace tutavia::detail
