@@ -26,13 +26,13 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// AntColony: paths on a grid by many random walks that learn from one another.
+/// AntColony: paths on a grid from repeated random walks guided by pheromone.
 
 namespace tutavia {
 
 namespace detail {
 
-/// What an ant colony keeps between queries: memory.
+/// Memory of an ant colony, reused by later queries.
 struct AntScratch {
   std::vector<std::uint32_t> visited;  ///< the last ant on each cell
   std::vector<std::size_t> tour, best;
@@ -41,36 +41,39 @@ struct AntScratch {
 
 }  // namespace detail
 
-/// Ants walk from the start at random, never twice over a cell, sooner on where others that came to
-/// the goal have left a pheromone and where the goal is nearer; an ant that is stuck steps back.
-/// Those that arrive leave a pheromone that is the stronger the shorter their way, which fades with
-/// every round, and the shortest way so far is scented once more each time.
+/// Each ant performs a self-avoiding random walk from the start, biased towards steps with more
+/// pheromone and towards cells closer to the goal. An ant that has no step left backtracks. An ant
+/// that reaches the goal deposits pheromone on its tour, more on a shorter tour. Pheromone
+/// evaporates in every round, and the best tour so far gets an extra deposit at the end of each.
 ///
-/// A path that is found is valid and nothing else: in particular it is not short on maps of more
-/// than some thousand cells. Same seed, same path. Memory: 64 bytes per cell that ants come to.
+/// A returned path is valid, without any bound on its length: on maps of more than some thousand
+/// cells it is usually not short. The same seed gives the same path. Memory: 64 bytes per cell
+/// visited.
 ///
-/// Errors: `invalid_option`; those of `search_grid`; `budget_exhausted` where no ant arrived in all
-/// rounds, and for what the budget says unless some ant has arrived; `cancelled`.
+/// Errors: `invalid_option`; those of `search_grid`; `budget_exhausted` if no ant arrived in any
+/// round, or if the budget ended before an ant arrived; `cancelled`.
 ///
 /// Source: Dorigo, Maniezzo and Colorni 1996, "Ant system: optimization by a colony of cooperating
-/// agents" (with one elitist ant), the baseline of the SSA-A* paper; its parameters are not printed
-/// there, see docs/algorithms.md.
+/// agents" (with one elitist ant). This is the baseline of the SSA-A* paper, which does not print
+/// its parameters; see docs/algorithms.md.
+///
+/// Example: examples/searches_on_cells.cpp.
 struct AntColony {
   static constexpr std::string_view name = "ant_colony";
   using Scratch = detail::AntScratch;
 
   enum class DeadEnds {
-    step_back,  ///< an ant retreats until there is another way on
-    discard     ///< it is lost, as in the paper; where there are walls, all of them may be
+    step_back,  ///< the ant backtracks until another step is legal
+    discard     ///< the ant gives up, as in the paper; among walls every ant may
   };
 
-  std::uint32_t ants = 30;        ///< in each round
+  std::uint32_t ants = 30;        ///< per round
   std::uint32_t iterations = 50;  ///< rounds
-  double pheromone_exponent = 1;  ///< alpha, an exponent
+  double pheromone_exponent = 1;  ///< alpha
   double distance_exponent = 5;   ///< beta, the exponent of 1 / distance to the goal
-  double evaporation = 0.3;       ///< rho: what a pheromone loses in a round, in [0, 1)
+  double evaporation = 0.3;       ///< rho: share lost per round, in [0, 1)
   DeadEnds dead_ends = DeadEnds::step_back;
-  double deposit = 100;  ///< Q: an ant leaves Q / length in cells; there is 1 at first
+  double deposit = 100;  ///< Q: an ant deposits Q / length [cells]; every step starts with 1
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
@@ -139,7 +142,7 @@ class Colony {
   }
 
  private:
-  /// One ant's way into `tour`; its cost, if it arrives.
+  /// Runs one ant and stores its path in `tour`. Returns the path's cost if the ant arrives.
   std::optional<Cost> walk(std::uint32_t ant) {
     auto& tour = scratch_.tour;
     const CellLink& first = linked_.starts.data()[random_.below(linked_.starts.size())];
@@ -177,9 +180,9 @@ class Colony {
     return sum;
   }
 
-  /// The next step of an ant; none where all cells around it are blocked or behind it.
+  /// The next step of an ant; empty if every neighbour is blocked or already visited.
   std::optional<std::size_t> choose(std::size_t at, Cell cell, std::uint32_t ant) {
-    // Logarithms, less the largest: powers alone overflow, or vanish for all steps.
+    // Logarithms minus the largest: the powers themselves overflow, or vanish for all steps.
     std::array<double, 8> weights{};
     weights.fill(-std::numeric_limits<double>::infinity());
     double largest = -std::numeric_limits<double>::infinity(), sum = 0;
@@ -195,18 +198,19 @@ class Colony {
     }
     if (!std::isfinite(largest)) return std::nullopt;
     for (double& weight : weights) sum += weight = std::exp(weight - largest);
-    double place = random_.uniform() * sum;
+    double pick = random_.uniform() * sum;
     std::optional<std::size_t> chosen;
     for (std::size_t step = 0; step < weights.size(); ++step) {
       if (!(weights[step] > 0)) continue;
       chosen = step;
-      place -= weights[step];
-      if (place < 0) break;
+      pick -= weights[step];
+      if (pick < 0) break;
     }
     return chosen;
   }
 
-  /// pheromones are kept in units that shrink as they fade, so that fading touches none.
+  /// Pheromone is stored in a unit that shrinks at every evaporation, so evaporation writes no
+  /// cell.
   void deposit(const std::vector<std::size_t>& tour, Cost cost) {
     const double length = static_cast<double>(cost) / static_cast<double>(straight_cost);
     if (!(length > 0)) return;
@@ -219,7 +223,7 @@ class Colony {
     unit_ /= 1 - options_.evaporation;
     if (unit_ < 1e100) return;
     for (std::size_t i = 0; i < pheromones_.size(); ++i) {
-      if (pheromones_[i] != 0) pheromones_[i] /= unit_;  // what was never written costs no memory
+      if (pheromones_[i] != 0) pheromones_[i] /= unit_;  // pages never written stay unallocated
     }
     first_ = std::max(first_ / unit_, std::numeric_limits<double>::min());
     unit_ = 1;
@@ -233,13 +237,13 @@ class Colony {
   ZeroedArray<double> pheromones_;  // of each step from each cell
   AntScratch& scratch_;
   Random random_;
-  Expected<void, Failure> within_;  // the budget
-  double first_ = 1;                // the pheromone of all steps at first
-  double unit_ = 1;                 // of a deposit
+  Expected<void, Failure> within_;  // an error once the budget has ended
+  double first_ = 1;                // initial pheromone of every step
+  double unit_ = 1;                 // stored value of one unit of pheromone
   Cost best_ = std::numeric_limits<Cost>::max();
 };
 
-/// A Colony for search_grid.
+/// Runs a Colony within `search_grid`.
 struct ColonySearch {
   const AntColony& options;
   AntScratch& scratch;

@@ -18,31 +18,36 @@
 #include "tutavia/space/cell_space.hpp"
 
 /// \file
-/// AnyAngle: the shortest path of a point among blocked cells.
+/// AnyAngle: the shortest any-angle path of a point among blocked cells.
 
 namespace tutavia {
 
-/// A shortest path of a point among blocked cells, by any angles; it bends at corners of cells.
+/// A shortest any-angle path of a point among blocked cells. It bends only at corners of cells.
 ///
-/// The path may slide along blocked cells and touch their corners, but does not pass between two
-/// blocked cells that share a side or only a corner. Optimal to rounding (1e-12 relative): what is
-/// in view is decided by exact arithmetic. Start and goal may lie anywhere, on a corner where two
-/// blocked cells touch they are reached from either side. For safety radius 0, else
-/// `invalid_option`; so is a mesh of another size (one of another grid of the same size is not
-/// noticed). Errors: those of `check_query`; `unreachable` (proved); what the budget says.
+/// The path may slide along blocked cells and touch their corners. It does not pass between two
+/// blocked cells that share a side or only a corner. Optimal up to rounding (1e-12 relative);
+/// visibility is decided by exact arithmetic. Start and goal may lie anywhere; a start or goal on a
+/// corner where two blocked cells touch is reached from either side.
 ///
-/// A search over sides of convex pieces and the parts of them that a bend of the path has in view:
-/// of the free runs of rows as they come, or of a mesh prepared for the grid, which is many times
-/// faster.
+/// Searches the sides of convex pieces, split into the intervals visible from each bend of the
+/// path. The pieces are the free runs of rows, found during the search, or the polygons of a mesh
+/// prepared for the grid, which is many times faster.
+///
+/// Errors: `invalid_option` for a safety radius other than 0 and for a mesh of another size (a mesh
+/// of another grid of the same size is not detected); those of `check_query`; `unreachable`
+/// (proved); those of the budget.
+///
 /// Source: Harabor, Grastien, Oz and Aksakalli 2016, "Optimal any-angle pathfinding in practice"
 /// (Anya); Cui, Harabor and Grastien 2017, "Compromise-free pathfinding on a navigation mesh"
 /// (Polyanya).
+///
+/// Example: examples/searches_on_cells.cpp.
 struct AnyAngle {
   static constexpr std::string_view name = "any_angle";
   using Scratch = detail::IntervalScratch;
   using Prepared = NavigationMesh;
 
-  std::shared_ptr<const NavigationMesh> mesh{};  ///< none: rows are looked at as they come
+  std::shared_ptr<const NavigationMesh> mesh{};  ///< null: searches the free runs of rows
 
   /// The mesh of a space's cells. Errors: those of `NavigationMesh::build`.
   static Expected<std::shared_ptr<const NavigationMesh>, Failure> prepare(const CellSpace& space) {

@@ -17,14 +17,14 @@ namespace tutavia {
 
 namespace detail {
 
-/// Memory of A* and Dijkstra's algorithm: of one wave, and of the general search for cell costs and
-/// other heuristics.
+/// Memory of A* and Dijkstra's algorithm: one part for plain searches, one for searches with cell
+/// costs or other heuristics.
 struct AStarScratch {
-  detail::ExpansionScratch wave;
+  detail::ExpansionScratch expansion;
   detail::GridGraphScratch graph;
 };
 
-/// `invalid_option` for cell costs of another size than the space's grid.
+/// `invalid_option` for cell costs whose size differs from that of the space's grid.
 template <GridSpace S>
 Expected<void, Failure> check_costs(const S& space, const std::shared_ptr<const CellCosts>& costs) {
   if (costs == nullptr ||
@@ -39,18 +39,24 @@ Expected<void, Failure> check_costs(const S& space, const std::shared_ptr<const 
 /// A* with the octile heuristic, which is admissible and consistent under every movement rule.
 ///
 /// Returns a shortest path among the grid's steps and the links of start and goal (to 1.3e-9
-/// relative, the rounding of integer costs), or the straight segment between points off the grid
-/// where that is free. With `costs` it is the cheapest path by them, its price in `Route::cost`.
-/// The answer is the same everywhere. Complete on the grid: `unreachable_at_resolution` means that
-/// the grid has no path. `invalid_option` for costs of another size; other errors: see search_grid.
+/// relative, the rounding of integer costs). If start or goal is off the grid and the straight
+/// segment between them is free, it returns that segment. With `costs` it returns the path of least
+/// traversal cost on the grid and reports that cost in `Route::cost`. The answer is the same on
+/// every platform. Complete on the grid: `unreachable_at_resolution` means that the grid has no
+/// path.
+///
+/// Errors: `invalid_option` for costs of another size; those of `search_grid`.
+///
 /// Source: Hart, Nilsson and Raphael 1968, "A formal basis for the heuristic determination of
 /// minimum cost paths".
+///
+/// Example: examples/searches_on_cells.cpp.
 struct AStar {
   static constexpr std::string_view name = "astar";
   using Scratch = detail::AStarScratch;
 
   HeuristicKind heuristic = HeuristicKind::octile;
-  std::shared_ptr<const CellCosts> costs{};  ///< surcharges; none: every cell costs the same
+  std::shared_ptr<const CellCosts> costs{};  ///< cost factors; null: all cells cost the same
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
@@ -72,9 +78,9 @@ struct AStar {
                                     return detail::GoalEstimate(heuristic, linked);
                                   });
     }
-    const detail::ExpansionSearch<detail::SuccessorRule::all, detail::OctileHeuristic> wave{
-        scratch.wave};
-    return detail::search_grid(space, query, observer, wave);
+    const detail::ExpansionSearch<detail::SuccessorRule::all, detail::OctileHeuristic> expansion{
+        scratch.expansion};
+    return detail::search_grid(space, query, observer, expansion);
   }
 };
 

@@ -7,15 +7,18 @@
 #include "tutavia/search/grid/search_grid.hpp"
 
 /// \file
-/// Bidirectional A*.
+/// Bidirectional A*: A* from the start and from the goal at once.
 
 namespace tutavia {
 
-/// A* from both ends at once, each wave with its own consistent heuristic; the wave with the fewer
-/// open cells goes next. Stops when the larger of the waves' smallest keys reaches the best meeting
-/// found: one wave has then expanded every cell that a shorter path could pass. (The sum of the two
-/// keys gives no such bound.) Guarantees and errors as for AStar.
-/// Source: Pohl 1971, "Bi-directional search" (which wave goes next).
+/// A* from both ends at once. Each search has its own consistent heuristic, and the one with fewer
+/// open cells expands next. Stops when the larger of the two smallest keys reaches the cost of the
+/// best meeting found: one search has then expanded every cell that a shorter path could pass. (The
+/// sum of the two keys gives no such bound.) Guarantees and errors as for AStar.
+///
+/// Source: Pohl 1971, "Bi-directional search" (which search expands next).
+///
+/// Example: examples/searches_on_cells.cpp.
 struct BidirectionalAStar {
   static constexpr std::string_view name = "bidirectional_astar";
   using Scratch = detail::BidirectionalScratch;

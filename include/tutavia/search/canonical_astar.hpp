@@ -7,13 +7,17 @@
 #include "tutavia/search/grid/goal_estimate.hpp"
 
 /// \file
-/// Canonical A*: A* that generates each of many equal paths once.
+/// Canonical A*: A* that generates only one of many equal paths.
 
 namespace tutavia {
 
-/// A* that follows only canonical successors: of the equal paths between two cells the one with its
-/// diagonal steps first. Same answers as A* in length, for far fewer generated cells. Guarantees
-/// and errors as for AStar. Source: Sturtevant and Rabin 2016, "Canonical orderings on grids".
+/// A* that follows only canonical successors: of all paths of equal cost between two cells, the one
+/// that takes its diagonal steps first. Paths have the same length as those of A*, with far fewer
+/// generated cells. Guarantees and errors as for AStar.
+///
+/// Source: Sturtevant and Rabin 2016, "Canonical orderings on grids".
+///
+/// Example: examples/searches_on_cells.cpp.
 struct CanonicalAStar {
   static constexpr std::string_view name = "canonical_astar";
   using Scratch = detail::ExpansionScratch;
@@ -21,9 +25,9 @@ struct CanonicalAStar {
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    const detail::ExpansionSearch<detail::SuccessorRule::canonical, detail::OctileHeuristic> wave{
-        scratch};
-    return detail::search_grid(space, query, observer, wave);
+    const detail::ExpansionSearch<detail::SuccessorRule::canonical, detail::OctileHeuristic>
+        expansion{scratch};
+    return detail::search_grid(space, query, observer, expansion);
   }
 };
 

@@ -13,40 +13,48 @@
 #include "tutavia/plan/route.hpp"
 
 /// \file
-/// What a search algorithm is.
+/// The concepts of observers and searchers.
 
 namespace tutavia {
 
-/// Told of every node that a search expands or generates, by the node's place in the plane.
+/// Receives every node that a search expands or generates, as a point in the plane.
+///
+/// Example: examples/observers.cpp.
 template <class O>
 concept Observer = requires(O& o, const Point& p) {
   o.expanded(p);
   o.generated(p);
 };
 
-/// An observer that is also told of every free rectangle that a search grows, between the reference
-/// points of its corner cells, and of the interval that it grew from.
+/// An observer that also receives every free rectangle that a search grows, and the interval of
+/// cells from which it grew. The rectangle spans the reference points of its corner cells.
+///
+/// Example: examples/observers.cpp.
 template <class O>
 concept RectangleObserver = Observer<O> && requires(O& o, const Segment& from, const Box& grown) {
   o.on_rectangle(from, grown);
 };
 
-/// An observer that is also told of every better path that a search finds on its way, and of its
-/// cost.
+/// An observer that also receives every improved path that a search finds, and its cost.
+///
+/// Example: examples/observers.cpp.
 template <class O>
 concept AnytimeObserver = Observer<O> && requires(O& o, const Curve& path, double cost) {
   o.improved(path, cost);
 };
 
-/// The observer that looks away; it costs nothing.
+/// Ignores all events; compiles to nothing.
 struct NoObserver {
   void expanded(const Point&) {}
   void generated(const Point&) {}
 };
 
-/// A search algorithm: a regular value that is its own options. `search` returns a route whose
-/// every piece is in free space and whose ends are exactly the query's, or why there is none; it
-/// keeps within the query's budget, and gives the same answer for the same query with any scratch.
+/// A search algorithm: a regular value whose members are its options. `search` returns a route, or
+/// the reason why there is none. Every piece of the route lies in free space, and its ends are
+/// exactly those of the query. `search` stays within the query's budget. The answer to a query does
+/// not depend on the contents of the scratch.
+///
+/// Example: examples/own_searcher.cpp.
 template <class A, class S>
 concept Searcher = std::copyable<A> && std::default_initializable<typename A::Scratch> &&
     requires(const A& a, const S& space, const Query& query, typename A::Scratch& scratch,

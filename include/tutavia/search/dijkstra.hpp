@@ -8,19 +8,21 @@
 #include "tutavia/search/grid/goal_estimate.hpp"
 
 /// \file
-/// Dijkstra's algorithm: a cheapest path on a grid, found without a heuristic.
+/// Dijkstra's algorithm: a cheapest path on a grid, without a heuristic.
 
 namespace tutavia {
 
-/// Dijkstra's algorithm: A* with heuristic 0. Same guarantees and errors, answers of the same
-/// length, and more expansions: the yardstick for everything else. For many queries with one end in
-/// common see FlowField.
+/// Dijkstra's algorithm: A* with heuristic 0. Same guarantees and errors and paths of the same
+/// length as AStar, with more expansions. For many queries that share one end see FlowField.
+///
 /// Source: Dijkstra 1959, "A note on two problems in connexion with graphs".
+///
+/// Example: examples/searches_on_cells.cpp.
 struct Dijkstra {
   static constexpr std::string_view name = "dijkstra";
   using Scratch = detail::AStarScratch;
 
-  std::shared_ptr<const CellCosts> costs{};  ///< surcharges; none: every cell costs the same
+  std::shared_ptr<const CellCosts> costs{};  ///< cost factors; null: all cells cost the same
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
@@ -32,9 +34,9 @@ struct Dijkstra {
       return detail::graph_search(space, query, scratch.graph, observer, *costs,
                                   [](const detail::GridQuery&) { return detail::ZeroHeuristic(); });
     }
-    const detail::ExpansionSearch<detail::SuccessorRule::all, detail::ZeroHeuristic> wave{
-        scratch.wave};
-    return detail::search_grid(space, query, observer, wave);
+    const detail::ExpansionSearch<detail::SuccessorRule::all, detail::ZeroHeuristic> expansion{
+        scratch.expansion};
+    return detail::search_grid(space, query, observer, expansion);
   }
 };
 

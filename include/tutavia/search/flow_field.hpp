@@ -16,17 +16,17 @@
 #include "tutavia/search/query_checks.hpp"
 
 /// \file
-/// FlowField: the way to the nearest goal from everywhere.
+/// FlowField: shortest paths from every cell to the nearest of several goals.
 
 namespace tutavia {
 
-/// The cost and the first step of a cheapest path from every cell of a grid to the nearest of some
-/// goals, by Dijkstra's algorithm over the whole map; 8 bytes per cell. Paths are the same as
-/// Dijkstra's in length. Immutable once built, and independent of the space it was built for,
-/// except that `path` wants that space.
+/// The cost and the first step of a cheapest path from every cell of a grid to the nearest of
+/// several goals. Built by Dijkstra's algorithm over the whole map; 8 bytes per cell. Paths are as
+/// long as Dijkstra's. Immutable once built. It holds no reference to the space, but its members
+/// must be given the space it was built for.
 class FlowField {
  public:
-  /// Errors: those of a query for the goals (no goals: `invalid_input`); what the budget says.
+  /// Errors: those of a query for the goals (no goals: `invalid_input`); those of the budget.
   template <GridSpace S>
   static Expected<FlowField, Failure> build(const S& space, std::span<const Point> goals,
                                             const Budget& budget = {}) {
@@ -51,11 +51,11 @@ class FlowField {
     detail::SearchContext<S, NoObserver> context{space, whole_map, no_observer};
     detail::GridExpansionScratch scratch;
     detail::GridExpansion<detail::SuccessorRule::canonical, detail::ZeroHeuristic, S, NoObserver>
-        wave(context, detail::ZeroHeuristic(), seeds, scratch);
-    typename decltype(wave)::Popped popped;
-    while (wave.pop(std::numeric_limits<Cost>::max(), popped)) {
+        expansion(context, detail::ZeroHeuristic(), seeds, scratch);
+    typename decltype(expansion)::Popped popped;
+    while (expansion.pop(std::numeric_limits<Cost>::max(), popped)) {
       if (auto within = context.check_budget(); !within) return std::move(within).unexpected();
-      wave.expand(popped);
+      expansion.expand(popped);
     }
     field.stats_ = context.statistics;
     field.labels_ = std::move(scratch.labels);
@@ -67,8 +67,8 @@ class FlowField {
   bool reached(const S& space, Cell cell) const {
     return labels_.view().reached(space.grid().index(cell));
   }
-  /// Length of the shortest path from a cell's reference point to the nearest goal [m]; infinity
-  /// where there is none. \pre the cell lies in the grid of the space
+  /// Length of the shortest path from a cell's reference point to the nearest goal [m]; infinity if
+  /// there is none. \pre the cell lies in the grid of the space
   template <GridSpace S>
   double cost(const S& space, Cell cell) const {
     if (!reached(space, cell)) return std::numeric_limits<double>::infinity();
@@ -117,8 +117,8 @@ class FlowField {
     return route;
   }
 
-  /// Of the cells from which a goal can be reached, the one nearest to `p`; nothing when there is
-  /// none. With the start for a goal: how near to `p` one can get.
+  /// The cell nearest to `p` from which a goal can be reached; empty if there is none. With the
+  /// start as the goal, this tells how near to `p` a path from the start can get.
   template <GridSpace S>
   std::optional<Cell> nearest_reached(const S& space, const Point& p) const {
     std::optional<Cell> best;

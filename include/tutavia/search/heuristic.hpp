@@ -2,14 +2,14 @@
 #pragma once
 
 /// \file
-/// Heuristics on grids.
+/// HeuristicKind: the heuristics of searches on grids.
 
 namespace tutavia {
 
 /// How a search estimates the cost from a cell to the goal. On eight-connected grids octile,
-/// Euclidean and Chebyshev distance never exceed it (they are admissible, in this order of
-/// strength); Manhattan distance does, by a factor of up to sqrt(2), and so gives paths up to that
-/// much longer. On four-connected grids all are admissible and Manhattan distance is the strongest.
+/// Euclidean and Chebyshev distance are admissible, from strongest to weakest. Manhattan distance
+/// overestimates by a factor of up to sqrt(2), so paths may be longer by that factor. On
+/// four-connected grids all four are admissible and Manhattan distance is the strongest.
 enum class HeuristicKind { octile, euclidean, chebyshev, manhattan };
 
 }  // namespace tutavia

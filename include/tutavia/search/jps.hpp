@@ -10,7 +10,7 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// Jump point search, online.
+/// Jps: jump point search without preprocessing.
 
 namespace tutavia {
 
@@ -40,10 +40,13 @@ struct PlaneScanner {
   void diagonal(Cell from, Cell goal, Visit visit) const {
     constexpr Cell d = steps[Step];
     constexpr std::size_t horizontal = d.x == 1 ? 0 : 4, vertical = d.y == 1 ? 2 : 6;
-    const auto by = [](int sign, std::size_t offset) { return sign == 1 ? offset : -offset; };
-    const std::size_t beside_x = by(d.x, 1), beside_y = by(d.y, grid.stride);
-    const std::size_t along_columns = by(d.x, planes.column_stride()) + by(d.y, 1);
-    // After so many steps the goal's row and column are met.
+    const auto signed_offset = [](int sign, std::size_t offset) {
+      return sign == 1 ? offset : -offset;
+    };
+    const std::size_t beside_x = signed_offset(d.x, 1), beside_y = signed_offset(d.y, grid.stride);
+    const std::size_t along_columns =
+        signed_offset(d.x, planes.column_stride()) + signed_offset(d.y, 1);
+    // Numbers of steps after which the goal's row and column are reached.
     const int at_row = (goal.y - from.y) * d.y, at_column = (goal.x - from.x) * d.x;
     detail::StopPlanes::PlaneIndex at = planes.plane_index(from);
     for (int k = 1; grid.is_free(at.in_rows + beside_x) && grid.is_free(at.in_rows + beside_y) &&
@@ -60,11 +63,14 @@ struct PlaneScanner {
 
 }  // namespace detail
 
-/// Jump point search: A* that jumps over all cells which only continue a path. Same answers as A*
-/// in length; far faster where there is room to jump. Needs the movement rule `no_cut`, else
-/// `invalid_option`; other guarantees and errors as for AStar.
+/// Jump point search: A* that skips cells which only continue a path. Paths have the same length as
+/// those of A*; far faster in open areas. Errors: `invalid_option` for any movement rule but
+/// `no_cut`. Other guarantees and errors as for AStar.
+///
 /// Source: Harabor and Grastien 2011, "Online graph pruning for pathfinding on grid maps", and
 /// 2014, "Improving jump point search" (diagonal jump points pruned).
+///
+/// Example: examples/searches_on_cells.cpp.
 struct Jps {
   static constexpr std::string_view name = "jps";
   using Scratch = detail::JumpScratch;

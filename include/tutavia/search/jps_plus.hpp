@@ -14,13 +14,18 @@
 #include "tutavia/search/query_checks.hpp"
 
 /// \file
-/// JPS+: jump point search on a precomputed table.
+/// JPS+: jump point search with a precomputed jump table.
 
 namespace tutavia {
 
-/// Jump point search that looks its jumps up. Same answers as Jps; needs the table of the space's
-/// grid (`prepare`), else `invalid_option`; a table of another grid of the same size is not noticed
-/// (ask `JumpTable::matches`). Source: Harabor and Grastien 2014, "Improving jump point search".
+/// Jump point search with precomputed jumps. Paths are the same as those of Jps. Errors:
+/// `invalid_option` without the table of the space's grid (see `prepare`) and for any movement rule
+/// but `no_cut`; others as for AStar. A table of another grid of the same size is not detected;
+/// `JumpTable::matches` checks for it.
+///
+/// Source: Harabor and Grastien 2014, "Improving jump point search".
+///
+/// Example: examples/searches_on_cells.cpp.
 struct JpsPlus {
   static constexpr std::string_view name = "jps_plus";
   using Scratch = detail::JumpScratch;
@@ -28,7 +33,7 @@ struct JpsPlus {
 
   std::shared_ptr<const JumpTable> table{};
 
-  /// The table of a space's grid. `invalid_option` for another movement rule than `no_cut`.
+  /// The jump table of a space's grid. `invalid_option` for any movement rule but `no_cut`.
   template <GridSpace S>
   static Expected<std::shared_ptr<const JumpTable>, Failure> prepare(
       const S& space, JumpTable::Threads threads = JumpTable::Threads::one) {
@@ -72,14 +77,14 @@ struct JpsPlus {
       int k = 0;
       while (true) {
         const int next = table.row({from.x + k * d.x, from.y + k * d.y})[Step];
-        const bool turns = 0 < next && next != JumpTable::far;  // at the end
+        const bool turns = 0 < next && next != JumpTable::far;  // jump point at the end
         const int end = k + (next == JumpTable::far ? JumpTable::leg : std::abs(next));
-        // Goals next to the cell `goal` may be seen from here though no jump point is.
+        // Cells next to `goal` may be goals too, and reachable from here although no jump point is.
         const int first = std::min(at_row, at_column) - 1, last = std::max(at_row, at_column) + 1;
         for (int near = std::max(k + 1, first); near <= std::min(end, last); ++near) {
           const bool meets = std::abs(at_row - near) <= 1 || std::abs(at_column - near) <= 1;
           if (!meets) {
-            near = std::max(at_row, at_column) - 2;  // between the two nothing is near
+            near = std::max(at_row, at_column) - 2;  // no goal lies between the two
           } else if (near < end || !turns) {
             look(near);
           }

@@ -14,28 +14,32 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// JPS_Theta*: weighted jump point search with lines of sight.
+/// JPS_Theta*: weighted jump point search with line-of-sight tests.
 
 namespace tutavia {
 
-/// Jump point search guided by Chebyshev distance h with the weight `far_weight` where h exceeds
-/// `switch_distance` cells and `near_weight` elsewhere, and lines of sight that take the bends out
-/// of its path.
+/// Jump point search whose heuristic is the Chebyshev distance h times a weight: `far_weight` if h
+/// exceeds `switch_distance` cells, else `near_weight`. Line-of-sight tests remove bends from its
+/// path.
 ///
 /// Complete on the grid. Before bends are removed the path costs at most max(1, far_weight,
-/// near_weight) times a cheapest one; afterwards it is no longer than before. Needs the movement
-/// rule `no_cut`. `invalid_option` for another rule and for weights that are negative, not finite
-/// or above 10^6; other errors as for AStar. Source: Yang et al., "Improved A* based on fused
-/// Theta*"; its text describes lines of sight after the search, its name those of Theta* during it.
+/// near_weight) times a cheapest one; removing bends never lengthens it. Errors: `invalid_option`
+/// for any movement rule but `no_cut`, and for weights that are negative, not finite or above 10^6;
+/// others as for AStar.
+///
+/// Source: Yang et al., "Improved A* based on fused Theta*". Its text describes line-of-sight tests
+/// after the search, its name those of Theta* during the search.
+///
+/// Example: examples/searches_on_cells.cpp.
 struct JpsThetaStar {
   static constexpr std::string_view name = "jps_theta_star";
   using Scratch = detail::JumpScratchWith<detail::BinaryHeap>;
 
-  /// When JpsThetaStar uses lines of sight.
+  /// When JpsThetaStar tests lines of sight.
   enum class LineOfSight {
-    never,         ///< the route is that of the weighted jump point search
-    after_search,  ///< its bends are taken out where the node before sees the node after
-    in_search,     ///< as Theta* does, a jump point's parent may be any that sees it; then as above
+    never,         ///< keeps the path of the weighted jump point search
+    after_search,  ///< removes nodes whose neighbours see each other
+    in_search,     ///< a parent may be any node that sees the child, as in Theta*; then as above
   };
 
   double far_weight = 2.0;
@@ -59,11 +63,11 @@ struct JpsThetaStar {
       detail::remove_redundant(cells, [&](Cell a, Cell b) { return space.line_of_sight(a, b); });
     };
     if (lines_of_sight == LineOfSight::in_search) {
-      static_assert(detail::LookBackGuide<SeeingGuide<S>>);
+      static_assert(detail::LookBackGuide<LineOfSightGuide<S>>);
       return detail::jump_search(
           space, query, scanner,
           [&](const detail::GridQuery& linked) {
-            return SeeingGuide<S>{{*this, linked.goal_cell}, space};
+            return LineOfSightGuide<S>{{*this, linked.goal_cell}, space};
           },
           scratch, observer, straighten);
     }
@@ -89,7 +93,7 @@ struct JpsThetaStar {
     }
   };
   template <LineOfSightSpace S>
-  struct SeeingGuide : Guide {
+  struct LineOfSightGuide : Guide {
     const S& space;
 
     bool line_of_sight(Cell a, Cell b) const { return space.line_of_sight(a, b); }

@@ -17,23 +17,27 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// JumpTable: how far every jump of jump point search goes.
+/// JumpTable: precomputed jump distances for JPS+.
 
 namespace tutavia {
 
-/// For every cell and step how far a jump under `no_cut` goes: n > 0 steps to a jump point (a cell
-/// with a forced neighbour; diagonally: a cell from which a straight jump reaches one), or -n: n
-/// free steps before a wall. A byte each, so that a cell's eight fit a word; jumps of more than 126
-/// steps are followed in legs.
+/// The length of the jump from every cell in every direction, under `no_cut`: n > 0 for n steps to
+/// a jump point, -n for n free steps before an obstacle. A jump point is a cell with a forced
+/// neighbour or, for diagonal jumps, a cell from which a straight jump reaches one. A jump takes
+/// one byte, so the eight jumps of a cell fit one word; jumps of more than 126 steps are followed
+/// in legs.
 ///
 /// Source: the distances are those of Harabor and Grastien 2014, "Improving jump point search",
 /// section "Preprocessing".
+///
+/// Example: examples/searches_on_cells.cpp.
 class JumpTable {
  public:
   /// The jumps from one cell, by step.
   using Row = std::array<std::int8_t, 8>;
 
-  /// In the place of a distance: `leg` free steps without a jump point, and on from there.
+  /// Stands for `leg` free steps without a jump point; the jump continues from the cell at their
+  /// end.
   static constexpr int far = 127;
   static constexpr int leg = 126;
 
@@ -42,14 +46,15 @@ class JumpTable {
   /// Computes the table in O(cells); the result does not depend on the number of threads.
   static JumpTable build(const OccupancyGrid& grid, Threads threads = Threads::one);
 
-  /// The table as bytes, to be kept in a file; 8 per cell and a short head.
+  /// Serialises the table: 8 bytes per cell after a short header.
   std::string to_bytes() const;
-  /// What `to_bytes` gave. `invalid_input` for anything else, and for the table of another grid.
+  /// Restores the output of `to_bytes`. `invalid_input` for anything else, and for the table of
+  /// another grid.
   static Expected<JumpTable, Failure> from_bytes(std::string_view bytes, const OccupancyGrid& grid);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Whether this is the table of a grid (by a hash of its cells).
+  /// Whether this is the table of a grid, compared by a hash of its cells.
   bool matches(const OccupancyGrid& grid) const {
     return width_ == grid.width() && height_ == grid.height() && grid_hash_ == hash(grid);
   }
@@ -59,7 +64,7 @@ class JumpTable {
     return rows_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) +
                  static_cast<std::size_t>(cell.x)];
   }
-  /// The whole jump in a direction, all its legs. \pre the cell lies in the grid
+  /// The full jump in a direction, over all its legs. \pre the cell lies in the grid
   template <std::size_t Step>
   int jump(Cell from) const {
     const int first = row(from)[Step];
@@ -100,7 +105,7 @@ class JumpTable {
 
 namespace detail {
 
-/// For every neighbourhood the straight steps (as bits) that stop at its middle.
+/// For every neighbourhood, the straight steps (as bits) whose jump stops at its centre cell.
 inline const SuccessorTable& jump_stops() {
   static const SuccessorTable table = [] {
     const CanonicalTable& canonical = canonical_table(MovementRule::no_cut);
@@ -122,10 +127,10 @@ inline constexpr std::string_view jump_table_magic = "tutavia jump table 2\n";
 
 }  // namespace detail
 
-/// Fills the jumps of a table that lead to the row above or below, row by row from the far side.
+/// Fills the jumps of a table that lead to the row above or below, row by row from the far end.
 class JumpTable::Filler {
  public:
-  /// `dy`: 1 for the jumps to the row above, and for those along the rows; -1 for those below.
+  /// `dy`: 1 for the jumps to the row above and along the rows; -1 for the jumps to the row below.
   Filler(JumpTable& table, const OccupancyGrid& grid, int dy)
       : table_(table),
         grid_(grid),
@@ -151,15 +156,15 @@ class JumpTable::Filler {
   }
 
  private:
-  /// Whole jumps from a cell.
+  /// Full jumps from a cell, not cut into legs.
   struct Jumps {
     int right = 0, left = 0, upright = 0, diagonal_right = 0, diagonal_left = 0;
     StepSet successors = 0, stops = 0;
   };
 
   static int bit(StepSet set, std::size_t step) { return (set >> step) & 1; }
-  /// A cell's jump from that of the next cell: can_step ? (stop ? 1 : next and one more) : 0,
-  /// without branches, which would be anybody's guess.
+  /// A cell's jump, given that of the next cell: can_step ? (stop ? 1 : `next` extended by one) :
+  /// 0. Unpredictable, so branch-free.
   static int jump_by(int can_step, int stop, int next) {
     const int further = next + (next > 0 ? 1 : -1);
     return -can_step & (((stop - 1) & further) | stop);
@@ -215,7 +220,7 @@ class JumpTable::Filler {
   int dy_;
   std::size_t upright_, right_, left_;  // steps
   std::size_t columns_;
-  std::vector<Jumps> before_, now_;  // the row done last and this one, with a cell beyond each end
+  std::vector<Jumps> before_, now_;  // previous and current row, padded by a cell at each end
 };
 
 inline JumpTable JumpTable::build(const OccupancyGrid& grid, Threads threads) {
@@ -267,7 +272,7 @@ inline Expected<JumpTable, Failure> JumpTable::from_bytes(std::string_view bytes
     for (int x = 0; x < table.width_; ++x) {
       for (std::size_t step = 0; step < steps.size(); ++step, ++from) {
         const auto jump = static_cast<std::int8_t>(static_cast<unsigned char>(bytes[from]));
-        // A damaged table must not lead a search out of the grid.
+        // A damaged table must not lead a search off the grid.
         const int length = jump == far ? leg : std::abs(int{jump});
         if (!grid.contains({x + length * steps[step].x, y + length * steps[step].y})) {
           return fail(PlanError::invalid_input, "the jump table is damaged");

@@ -9,14 +9,18 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// Lazy Theta*: Theta* that tests few lines of sight.
+/// Lazy Theta*: Theta* with fewer line-of-sight tests.
 
 namespace tutavia {
 
-/// Lazy Theta*: Theta* that takes a line of sight for granted until the cell is expanded, so that
-/// it tests one per cell and not one per neighbour. Paths about as long; guarantees and errors as
-/// for ThetaStar. Source: Nash, Koenig and Tovey 2010, "Lazy Theta*: any-angle path planning and
-/// path length analysis in 3D".
+/// Lazy Theta*: Theta* that assumes a line of sight until the cell is expanded. It tests one line
+/// of sight per cell instead of one per neighbour. Paths are about as long as those of ThetaStar;
+/// guarantees and errors are the same.
+///
+/// Source: Nash, Koenig and Tovey 2010, "Lazy Theta*: any-angle path planning and path length
+/// analysis in 3D".
+///
+/// Example: examples/searches_on_cells.cpp.
 struct LazyThetaStar {
   static constexpr std::string_view name = "lazy_theta_star";
   using Scratch = detail::ThetaScratch;

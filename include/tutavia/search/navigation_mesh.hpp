@@ -24,44 +24,48 @@
 #include "tutavia/search/mesh/sides.hpp"
 
 /// \file
-/// NavigationMesh: the free cells of a grid as few convex polygons, prepared.
+/// NavigationMesh: a grid's free cells decomposed into convex polygons.
 
 namespace tutavia {
 
-/// A decomposition of a grid's free cells into convex polygons with the sides they share: what
-/// FreeRuns finds anew for every query, in far fewer pieces.
+/// A decomposition of a grid's free cells into convex polygons and the sides they share. It has far
+/// fewer pieces than the free runs of rows, which AnyAngle uses without a mesh.
 ///
-/// The polygons' vertices are the corners of the blocked regions, so no side ends in open space. A
-/// constrained Delaunay triangulation of them, its triangles merged while they stay convex.
+/// The polygons' vertices are corners of the blocked regions, so no side ends in open space. They
+/// come from a constrained Delaunay triangulation, whose triangles are merged while the result
+/// stays convex.
+///
 /// Source: Cui, Harabor and Grastien 2017, "Compromise-free pathfinding on a navigation mesh".
+///
+/// Example: examples/searches_on_cells.cpp.
 class NavigationMesh {
  public:
-  /// A polygon by its number.
+  /// The number of a polygon.
   using Piece = std::uint32_t;
   static constexpr Piece none = std::numeric_limits<Piece>::max();
   static constexpr int max_side = detail::ConstrainedDelaunay::max_side - 2;
 
-  /// Takes O(n log n) for n corners in practice. `limit_exceeded` for grids of more than `max_side`
-  /// cells a side or 2^28 walls.
+  /// O(n log n) for n corners in practice. `limit_exceeded` for grids of more than `max_side` cells
+  /// per side or 2^28 walls.
   static Expected<NavigationMesh, Failure> build(const OccupancyGrid& grid);
 
-  /// The polygons as bytes, to be kept in a file.
+  /// Serialises the polygons.
   std::string to_bytes() const;
-  /// What `to_bytes` gave. `invalid_input` for anything else, and for polygons that are not a
-  /// decomposition of this grid's free cells.
+  /// Restores the output of `to_bytes`. `invalid_input` for anything else, and for polygons that
+  /// are not a decomposition of this grid's free cells.
   static Expected<NavigationMesh, Failure> from_bytes(std::string_view bytes,
                                                       const OccupancyGrid& grid);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  std::size_t size() const { return way_out_.size(); }
+  std::size_t size() const { return exit_of_dead_end_.size(); }
   std::size_t memory() const {
     return first_side_.size() * sizeof(std::uint32_t) +
-           sides_.size() * sizeof(detail::PolygonSide) + way_out_.size() * sizeof(Piece) +
+           sides_.size() * sizeof(detail::PolygonSide) + exit_of_dead_end_.size() * sizeof(Piece) +
            bins_.memory();
   }
 
-  /// A piece as FreeRuns has it; here there is nothing to look up.
+  /// Part of the interface shared with FreeRuns; nothing to look up here.
   Piece open(Piece piece) const { return piece; }
 
   /// Calls `visit(piece)` for every polygon that may touch a cell.
@@ -70,17 +74,18 @@ class NavigationMesh {
     bins_.for_each_near(cell, visit);
   }
 
-  /// Whether a point lies in a polygon or on its border; `place(corner)` says where corners lie.
+  /// Whether a point lies in a polygon or on its border. `position(corner)` gives a corner's
+  /// coordinates.
   template <class Coords>
-  bool holds(Piece piece, const Point& p, const Coords& place) const {
+  bool holds(Piece piece, const Point& p, const Coords& position) const {
     for (const detail::PolygonSide& side : sides(piece)) {
-      if (orientation(place(side.right), place(side.left), p) < 0) return false;
+      if (orientation(position(side.right), position(side.left), p) < 0) return false;
     }
     return true;
   }
 
-  /// Calls `visit(right, left, piece)` for every side that a polygon shares with another: its ends
-  /// as seen from within.
+  /// Calls `visit(right, left, piece)` for every side shared with another polygon. The ends are
+  /// ordered as seen from inside the polygon.
   template <class Visit>
   void for_each_exit(Piece piece, const Visit& visit) const {
     for (const detail::PolygonSide& side : sides(piece)) {
@@ -88,12 +93,12 @@ class NavigationMesh {
     }
   }
 
-  /// Whether all ways from a polygon, other than back by the one it was entered through, end
-  /// nowhere: only paths that begin or end there need it.
-  bool is_dead_end(Piece piece) const { return way_out_[piece] != none; }
-  /// The neighbour that leads out of a dead end; the last of a tree of them names itself.
-  Piece way_out(Piece piece) const { return way_out_[piece]; }
-  /// All dead ends have lesser numbers.
+  /// Whether every exit of a polygon but one leads only to dead ends. Only paths that start or end
+  /// there need such a polygon.
+  bool is_dead_end(Piece piece) const { return exit_of_dead_end_[piece] != none; }
+  /// The neighbour through which a dead end is left; the polygon itself if it has none.
+  Piece way_out(Piece piece) const { return exit_of_dead_end_[piece]; }
+  /// All dead ends have smaller numbers.
   std::size_t dead_end_limit() const { return size(); }
 
  private:
@@ -109,20 +114,20 @@ class NavigationMesh {
       sides_.push_back({ring[i], ring[(i + 1) % ring.size()], none});
     }
     first_side_.push_back(static_cast<std::uint32_t>(sides_.size()));
-    way_out_.push_back(none);
+    exit_of_dead_end_.push_back(none);
   }
-  /// Finds what lies beyond the sides; false unless those without a neighbour are the grid's walls,
-  /// every one once.
-  bool join(std::vector<detail::Wall> walls);
+  /// Links the sides that two polygons share. Returns false unless the other sides are exactly the
+  /// grid's walls, each one once.
+  bool link_sides(std::vector<detail::Wall> walls);
   void find_dead_ends();
   void fill_bins() {
     bins_.fill(static_cast<Piece>(size()), [&](Piece piece) { return sides(piece); });
   }
 
   int width_, height_;
-  std::vector<std::uint32_t> first_side_{0};  // by polygon, and the end
+  std::vector<std::uint32_t> first_side_{0};  // per polygon, and one past the last
   std::vector<detail::PolygonSide> sides_;
-  std::vector<Piece> way_out_;  // by polygon; none: no dead end
+  std::vector<Piece> exit_of_dead_end_;  // per polygon; none: not a dead end
   detail::PolygonBins bins_;
 };
 
@@ -144,7 +149,7 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
   detail::MeshBuilder(grid, walls).collect_polygons([&](const std::vector<Cell>& ring) {
     mesh.add(ring);
   });
-  const bool whole = mesh.join(std::move(walls));
+  const bool whole = mesh.link_sides(std::move(walls));
   TUTAVIA_ASSERT(whole);
   static_cast<void>(whole);
   mesh.find_dead_ends();
@@ -152,12 +157,12 @@ inline Expected<NavigationMesh, Failure> NavigationMesh::build(const OccupancyGr
   return mesh;
 }
 
-inline bool NavigationMesh::join(std::vector<detail::Wall> walls) {
+inline bool NavigationMesh::link_sides(std::vector<detail::Wall> walls) {
   using detail::Wall;
-  // Sides by their ends, so that the two of a shared one stand together.
+  // Sorted by their ends, the two copies of a shared side are adjacent.
   struct End {
-    detail::Wall side;  // from the lesser to the greater end
-    bool turned;
+    detail::Wall side;  // from the smaller to the larger end
+    bool is_reversed;
     std::uint32_t id;
     Piece piece;
   };
@@ -170,13 +175,13 @@ inline bool NavigationMesh::join(std::vector<detail::Wall> walls) {
     }
   }
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
-    return std::tie(a.side, a.turned) < std::tie(b.side, b.turned);
+    return std::tie(a.side, a.is_reversed) < std::tie(b.side, b.is_reversed);
   });
   std::vector<detail::Wall> bare;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const detail::PolygonSide& side = sides_[ends[i].id];
     if (i + 1 < ends.size() && ends[i].side == ends[i + 1].side &&
-        ends[i].turned != ends[i + 1].turned) {
+        ends[i].is_reversed != ends[i + 1].is_reversed) {
       sides_[ends[i].id].beyond = ends[i + 1].piece;
       sides_[ends[i + 1].id].beyond = ends[i].piece;
       ++i;
@@ -190,20 +195,20 @@ inline bool NavigationMesh::join(std::vector<detail::Wall> walls) {
 }
 
 inline void NavigationMesh::find_dead_ends() {
-  std::vector<std::uint32_t> ways(size(), 0);  // exits that are not known to be dead ends
+  std::vector<std::uint32_t> exit_counts(size(), 0);  // exits not known to lead to a dead end
   std::vector<Piece> found;
   for (Piece piece = 0; piece < size(); ++piece) {
-    for_each_exit(piece, [&](Cell, Cell, Piece) { ++ways[piece]; });
-    if (ways[piece] <= 1) found.push_back(piece);
+    for_each_exit(piece, [&](Cell, Cell, Piece) { ++exit_counts[piece]; });
+    if (exit_counts[piece] <= 1) found.push_back(piece);
   }
   while (!found.empty()) {
     const Piece piece = found.back();
     found.pop_back();
-    way_out_[piece] = piece;
+    exit_of_dead_end_[piece] = piece;
     for_each_exit(piece, [&](Cell, Cell, Piece beyond) {
       if (is_dead_end(beyond)) return;
-      way_out_[piece] = beyond;
-      if (--ways[beyond] == 1) found.push_back(beyond);
+      exit_of_dead_end_[piece] = beyond;
+      if (--exit_counts[beyond] == 1) found.push_back(beyond);
     });
   }
 }
@@ -229,36 +234,36 @@ inline std::string NavigationMesh::to_bytes() const {
 
 inline Expected<NavigationMesh, Failure> NavigationMesh::from_bytes(std::string_view bytes,
                                                                     const OccupancyGrid& grid) {
-  const auto broken = [](const char* what) { return fail(PlanError::invalid_input, what); };
+  const auto invalid = [](const char* what) { return fail(PlanError::invalid_input, what); };
   const std::string_view magic = detail::navigation_mesh_magic;
   if (bytes.substr(0, magic.size()) != magic || grid.width() > max_side ||
       grid.height() > max_side) {
-    return broken("not a navigation mesh of this version");
+    return invalid("not a navigation mesh of this version");
   }
   NavigationMesh mesh(grid.width(), grid.height());
   std::vector<Cell> ring;
   for (std::size_t at = magic.size(); at < bytes.size();) {
-    if (bytes.size() - at < 4) return broken("the navigation mesh is damaged");
+    if (bytes.size() - at < 4) return invalid("the navigation mesh is damaged");
     const std::uint64_t count = detail::read_bytes(bytes, at, 4);
     at += 4;
-    if (count > (bytes.size() - at) / 8) return broken("the navigation mesh is damaged");
+    if (count > (bytes.size() - at) / 8) return invalid("the navigation mesh is damaged");
     ring.clear();
     for (std::uint64_t i = 0; i < count; ++i, at += 8) {
       const std::uint64_t x = detail::read_bytes(bytes, at, 4),
                           y = detail::read_bytes(bytes, at + 4, 4);
       if (x > static_cast<std::uint64_t>(grid.width()) ||
           y > static_cast<std::uint64_t>(grid.height())) {
-        return broken("the navigation mesh was made for another grid");
+        return invalid("the navigation mesh was made for another grid");
       }
       ring.push_back({static_cast<int>(x), static_cast<int>(y)});
     }
-    if (!detail::is_convex(ring)) return broken("the navigation mesh is damaged");
+    if (!detail::is_convex(ring)) return invalid("the navigation mesh is damaged");
     mesh.add(ring);
   }
-  // Convex polygons whose borders cancel out but for the grid's walls cover what these surround,
-  // every point once.
-  if (!mesh.join(detail::walls_of(grid))) {
-    return broken("the navigation mesh was made for another grid");
+  // If the borders of convex polygons cancel out except for the grid's walls, the polygons cover
+  // the area inside the walls, every point once.
+  if (!mesh.link_sides(detail::walls_of(grid))) {
+    return invalid("the navigation mesh was made for another grid");
   }
   mesh.find_dead_ends();
   mesh.fill_bins();

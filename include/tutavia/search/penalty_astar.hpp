@@ -16,17 +16,20 @@
 #include "tutavia/search/heuristic.hpp"
 
 /// \file
-/// Penalty A*: a cheapest path when turning costs something.
+/// Penalty A*: A* with a cost for turning.
 
 namespace tutavia {
 
-/// A* over cells and headings: minimises length + `turn_penalty` x total change of heading among
-/// the grid's steps. The start has no heading, and turns at the links of start and goal cost
-/// nothing. A larger penalty gives longer paths with fewer turns. `Route::cost` is the sum
-/// minimised [m]. Errors: `invalid_option` for a penalty that is negative or above 1000 m per
-/// radian, `limit_exceeded` for grids of more than 2^28 cells; else as for AStar. Source: the
-/// penalty-based A* that Abdulshaheed 2025 compares with (lambda = 0.4); its formula is not given
-/// there, see docs/algorithms.md.
+/// A* over cells and headings. Minimises length + `turn_penalty` x total change of heading along
+/// the grid's steps. The start has no heading, and turns at the links of start and goal are free. A
+/// larger penalty gives longer paths with fewer turns. `Route::cost` is the minimised sum [m].
+/// Errors: `invalid_option` for a penalty that is negative or above 1000 m per radian;
+/// `limit_exceeded` for grids of more than 2^28 cells; others as for AStar.
+///
+/// Source: the penalty-based A* with which Abdulshaheed 2025 compares (lambda = 0.4). The paper
+/// does not give its formula; see docs/algorithms.md.
+///
+/// Example: examples/searches_on_cells.cpp.
 struct PenaltyAStar {
   static constexpr std::string_view name = "penalty_astar";
   using Scratch = detail::GridGraphScratch;
@@ -48,7 +51,7 @@ struct PenaltyAStar {
   }
 
  private:
-  /// Nodes are 16 x cell index + the step of arrival, or `no_step` at first cells.
+  /// A node is 16 x cell index + the step by which it is entered, or + `no_step` for start cells.
   template <GridSpace S>
   struct HeadingGraph {
     const S& space;
@@ -56,8 +59,8 @@ struct PenaltyAStar {
     const detail::GridQuery& linked;
     OccupancyGrid::View grid;
     const detail::SuccessorTable& table;
-    double unit;  // so much a metre costs
-    Cost eighth;  // so much a turn of 45 degrees costs
+    double unit;  // cost of one metre
+    Cost eighth;  // cost of a turn by 45 degrees
 
     std::size_t size() const { return 16 * space.grid().index_count() + 2; }
     detail::NodeId source() const { return static_cast<detail::NodeId>(size() - 2); }

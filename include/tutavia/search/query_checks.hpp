@@ -15,13 +15,13 @@
 #include "tutavia/space/nearest_free.hpp"
 
 /// \file
-/// What a searcher checks before it searches: endpoints, movement rule, budget.
+/// Checks before and during a search: endpoints, movement rule, budget.
 
 namespace tutavia {
 
 namespace detail {
 
-/// The failure of a point that is no start (or goal), without what the space knows of it.
+/// The failure for a point that is not a valid start (or goal), without details from the space.
 inline Failure endpoint_failure(const Point& p, bool is_start, bool is_within_bounds) {
   Failure failure;
   failure.detail = is_start ? "start" : "goal";
@@ -53,8 +53,8 @@ inline void add_nearest_safe_point(Failure& failure, const std::optional<Point>&
                     std::to_string(safe->y()) + ")";
 }
 
-/// Checks that a query may start (or end) at a point of `space`. Errors: the point is out of
-/// bounds, or blocked with the clearance there where the space knows it.
+/// Checks that a query may start (or end) at a point. Errors: the point lies out of bounds or is
+/// blocked. For a blocked point the failure has its clearance if the space measures clearance.
 template <FreeSpace S>
 Expected<void, Failure> check_endpoint(const S& space, const Point& p, bool is_start) {
   const bool within = space.bounds().contains(p);  // false for NaN
@@ -74,8 +74,7 @@ Expected<void, Failure> check_endpoint(const S& space, const Point& p, bool is_s
 
 }  // namespace detail
 
-/// Checks that a query may start and end where it says. Errors: those of `check_endpoint`, for the
-/// start first.
+/// Checks the start of a query, then its goal. Errors: those of `check_endpoint`.
 template <FreeSpace S>
 Expected<void, Failure> check_query(const S& space, const Query& query) {
   if (auto start = detail::check_endpoint(space, query.start, true); !start) return start;
@@ -84,8 +83,7 @@ Expected<void, Failure> check_query(const S& space, const Query& query) {
 
 namespace detail {
 
-/// Checks the movement rule of `space` for a search that is defined for `no_cut` alone. Errors:
-/// `invalid_option`.
+/// Returns `invalid_option` unless the space has the movement rule `no_cut`.
 template <GridSpace S>
 Expected<void, Failure> check_no_cut(const S& space, std::string_view search) {
   if (space.movement() == MovementRule::no_cut) return {};
@@ -93,14 +91,14 @@ Expected<void, Failure> check_no_cut(const S& space, std::string_view search) {
               std::string(search) + " is defined for the movement rule no_cut");
 }
 
-/// Checks that a query may go on after so many expansions. Errors: what the budget says.
+/// Checks the budget after `expanded` expansions. Errors: those of the budget.
 inline Expected<void, Failure> check_budget(const Budget& budget, std::uint64_t expanded) {
   if (expanded >= budget.max_expansions) return fail(PlanError::budget_exhausted);
   if (const auto code = budget.exceeded()) return fail(*code);
   return {};
 }
 
-/// The same before every expansion of a search: the clock is read once in `every` of them.
+/// The same for a call before every expansion: reads the clock once in `every` calls.
 inline Expected<void, Failure> check_budget(const Budget& budget, std::uint64_t expanded,
                                             std::uint64_t every) {
   if (expanded % every != 0 && expanded < budget.max_expansions) return {};

@@ -8,13 +8,13 @@
 #include "tutavia/geometry/segment.hpp"
 
 /// \file
-/// SearchRecord: an observer that writes down what a search does.
+/// SearchRecord: an observer that records the events of a search.
 
 namespace tutavia {
 
-/// What a search did, in order; for pictures and traces.
+/// The events of a search, in order; for pictures and traces.
 struct SearchRecord {
-  /// One thing that a search did.
+  /// One event of a search.
   struct Event {
     enum class Kind : std::uint8_t {
       expanded,   ///< a node, at `a`
@@ -27,7 +27,7 @@ struct SearchRecord {
     Point a, b;
   };
 
-  bool keeps_nodes = true;  ///< whether single nodes are written down, which may be many
+  bool keeps_nodes = true;  ///< whether single nodes, which may be many, are recorded
   std::vector<Event> events{};
 
   void expanded(const Point& p) { add_node(Event::Kind::expanded, p); }

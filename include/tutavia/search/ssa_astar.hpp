@@ -13,24 +13,27 @@
 #include "tutavia/search/heuristic.hpp"
 
 /// \file
-/// SSA-A*: A* with a heuristic that a swarm has tuned.
+/// SSA-A*: A* with a heuristic tuned by a salp swarm.
 
 namespace tutavia {
 
-/// A* with the heuristic of `Weights`, which overestimates: fewer expansions for a bounded loss
-/// of length. Cells are re-opened when a cheaper way to them is found, so the path costs at most
-/// max(1, w1 + w2) times the cheapest one and w3 cells more. `tune_ssa` finds weights for maps of a
-/// kind. Errors: `invalid_option` for a weight that is negative or more than 1000; else as for
+/// A* with the heuristic of `Weights`, which overestimates: fewer expansions for a bounded increase
+/// of length. Cells are re-opened when a cheaper path to them is found, so the path costs at most
+/// max(1, w1 + w2) times the cheapest one plus w3 cells. `tune_ssa` finds weights for a class of
+/// maps. Errors: `invalid_option` for a weight that is negative or more than 1000; others as for
 /// AStar.
+///
 /// Source: the SSA-A* paper, equation (1) and algorithm 1; see docs/algorithms.md.
+///
+/// Example: examples/searches_on_cells.cpp.
 struct SsaAStar {
   static constexpr std::string_view name = "ssa_astar";
   using Scratch = detail::GridGraphScratch;
 
-  /// The heuristic w1 Chebyshev distance + w2 Euclidean distance + w3 times the share of blocked
-  /// cells among the eight neighbours (those outside the map are blocked), in cells. The defaults
-  /// are near to what `tune_ssa` finds on grids of 20 x 20 cells, be they random or with clustered
-  /// obstacles.
+  /// The heuristic, in cells: w1 x Chebyshev distance + w2 x Euclidean distance + w3 x share of
+  /// blocked cells among the eight neighbours (cells outside the map count as blocked). The
+  /// defaults are close to what `tune_ssa` finds on grids of 20 x 20 cells, with random or
+  /// clustered obstacles.
   struct Weights {
     double chebyshev = 1.55;  ///< w1
     double euclidean = 0.85;  ///< w2
@@ -57,7 +60,7 @@ struct SsaAStar {
         });
   }
 
-  /// `invalid_option` for weights that no search takes.
+  /// `invalid_option` for weights out of range.
   static Expected<void, Failure> check(const Weights& weights) {
     for (const auto& [weight, option] :
          {std::pair{weights.chebyshev, "chebyshev"}, std::pair{weights.euclidean, "euclidean"},

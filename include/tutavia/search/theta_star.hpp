@@ -9,17 +9,21 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// Theta*: A* on a grid whose paths leave the grid's directions.
+/// Theta*: any-angle path planning on a grid.
 
 namespace tutavia {
 
-/// Theta*: A* in which a cell's parent may be any cell that sees it, so that paths turn by any
-/// angle, at cell centres or at corners of cells.
+/// Theta*: A* in which the parent of a cell may be any cell with a line of sight to it. Paths bend
+/// by any angle, at cell centres or at corners of cells.
 ///
-/// Complete on the grid, and deterministic; not a shortest any-angle path, nor always shorter than
-/// A*'s (in practice within 1 % of the optimum). Cells are closed when they are expanded. Errors as
-/// for AStar, and `invalid_option` for corners on anything but cells at safety radius 0. Source:
-/// Nash, Daniel, Koenig and Felner 2007, "Theta*: any-angle path planning on grids".
+/// Complete on the grid, and deterministic. Its path is not the shortest any-angle path, and may
+/// even be longer than that of A* (in practice it is within 1 % of the optimum). Expanded cells
+/// stay closed. Errors: `invalid_option` for corners on any space but a CellSpace of safety radius
+/// 0; others as for AStar.
+///
+/// Source: Nash, Daniel, Koenig and Felner 2007, "Theta*: any-angle path planning on grids".
+///
+/// Example: examples/searches_on_cells.cpp.
 struct ThetaStar {
   static constexpr std::string_view name = "theta_star";
   using Scratch = detail::ThetaScratch;

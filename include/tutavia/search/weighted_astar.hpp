@@ -8,14 +8,17 @@
 #include "tutavia/search/heuristic.hpp"
 
 /// \file
-/// Weighted A*: less search for a bounded loss of length.
+/// Weighted A*: fewer expansions for a bounded increase of length.
 
 namespace tutavia {
 
 /// A* with the octile heuristic times `weight`: the path costs at most `weight` times the cheapest
-/// one. Cells are re-opened when a cheaper way to them is found. Errors: `invalid_option` for a
-/// weight that is less than 1 or more than 1000; else as for AStar.
+/// one. Cells are re-opened when a cheaper path to them is found. Errors: `invalid_option` for a
+/// weight less than 1 or more than 1000; others as for AStar.
+///
 /// Source: Pohl 1970, "Heuristic search viewed as path finding in a graph".
+///
+/// Example: examples/searches_on_cells.cpp.
 struct WeightedAStar {
   static constexpr std::string_view name = "weighted_astar";
   using Scratch = detail::GridGraphScratch;
