@@ -41,7 +41,7 @@ void check_against_model(std::uint64_t seed, Cost least, std::size_t rounds) {
       const Cost first = model.begin()->first;
       if (bound > first || queue.seek_first() != bound) ++wrong;
       const BucketEntry entry = queue.pop();
-      const Cost key = bound + static_cast<Cost>(entry.note - static_cast<std::uint32_t>(bound));
+      const Cost key = bound + static_cast<Cost>(entry.tag - static_cast<std::uint32_t>(bound));
       if (key - first >= width || bound + width <= first) ++wrong;
       const auto [begin, end] = model.equal_range(key);
       const auto known =
@@ -86,7 +86,7 @@ TEST_CASE("what was left in the buckets is gone when a queue begins", "[search]"
   CHECK(queue.seek_first() == (5000 + 62 * 1024) / 1024 * 1024);
   const BucketEntry entry = queue.pop();
   CHECK(entry.node == 7);
-  CHECK(entry.note == 11);
+  CHECK(entry.tag == 11);
   CHECK(queue.empty());
 }
 

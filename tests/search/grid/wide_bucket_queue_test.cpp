@@ -24,8 +24,8 @@ Cost pop(WideBucketQueue& queue, std::multimap<Cost, std::uint32_t>& model) {
   const Cost bound = queue.seek_first();
   const Cost first = model.begin()->first;
   const WideBucketQueue::Entry entry = queue.pop();
-  // The note holds the low bits of the key.
-  const Cost key = bound + static_cast<Cost>(entry.note - static_cast<std::uint32_t>(bound));
+  // The tag holds the low bits of the key.
+  const Cost key = bound + static_cast<Cost>(entry.tag - static_cast<std::uint32_t>(bound));
   const auto [begin, end] = model.equal_range(key);
   const auto known =
       std::find_if(begin, end, [&](const auto& e) { return e.second == entry.node; });

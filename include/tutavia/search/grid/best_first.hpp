@@ -16,15 +16,15 @@
 #include "tutavia/search/query_checks.hpp"
 
 /// \file
-/// The best-first core that Dijkstra, A* and their kin share.
+/// best_first: best-first search on a graph, for A* and its variants.
 
 namespace tutavia::detail {
 
 using NodeId = std::uint32_t;
 
-/// A graph to search: nodes 0 ... size() - 1, among them `source()` and `target()`;
-/// `for_each_successor(node, visit)` calls `visit(successor, cost)` with costs >= 0; `point(node)`
-/// is the node's place in the plane (for observers).
+/// A graph to search, with nodes 0 ... size() - 1, among them `source()` and `target()`.
+/// `for_each_successor(node, visit)` calls `visit(successor, cost)` with costs >= 0. `point(node)`
+/// is the node's position, for observers.
 template <class G>
 concept SearchGraph = requires(const G& g, NodeId n, void (*visit)(NodeId, Cost)) {
   { g.size() } -> std::convertible_to<std::size_t>;
@@ -34,8 +34,9 @@ concept SearchGraph = requires(const G& g, NodeId n, void (*visit)(NodeId, Cost)
   g.for_each_successor(n, visit);
 };
 
-/// Labels and open list of a best-first search, kept from one query to the next: labels carry the
-/// number of the query that wrote them, so nothing is cleared and, once warm, nothing allocated.
+/// Labels and open list of a best-first search, kept from one query to the next. A label carries
+/// the number of the query that wrote it. So nothing is cleared between queries, and nothing is
+/// allocated once the memory is large enough.
 class BestFirstScratch {
  public:
   struct Label {
@@ -44,8 +45,8 @@ class BestFirstScratch {
     std::uint32_t query = 0;
   };
 
-  /// What waits in the open list. Smaller f first; among equals the larger g (nearer to the goal),
-  /// then the earlier one, so that the order never depends on the heap.
+  /// An entry of the open list, ordered by smaller f, then larger g (nearer to the goal), then
+  /// insertion. The order never depends on the heap.
   struct Entry {
     Cost f;
     Cost g;
@@ -59,7 +60,7 @@ class BestFirstScratch {
     }
   };
 
-  /// For the points of the path while it is read from the labels.
+  /// Memory for the points of the path while it is traced.
   std::vector<Point>& points() { return points_; }
 
   void reset(std::size_t size) {
@@ -68,20 +69,20 @@ class BestFirstScratch {
     sequence_ = 0;
   }
 
-  /// The node's label, or nullptr where this query has not reached it.
+  /// The node's label; nullptr if this query has not reached it.
   const Label* find(NodeId node) const { return labels_.find(node); }
 
-  /// Writes the label and puts the node into the open list.
+  /// Writes the label and pushes the node onto the open list.
   void push(NodeId node, NodeId parent, Cost g, Cost f) {
     labels_.set(node, {g, parent});
     open_.push({f, g, sequence_++, node});
   }
 
-  /// The best entry that is still current, or nothing when the open list is empty.
+  /// The best entry that is still current; empty if there is none.
   std::optional<Entry> pop() {
     while (!open_.empty()) {
       const Entry entry = open_.pop();
-      if (entry.g == labels_[entry.node].g) return entry;  // else a better one overtook it
+      if (entry.g == labels_[entry.node].g) return entry;  // else a cheaper path was found
     }
     return std::nullopt;
   }
@@ -93,29 +94,30 @@ class BestFirstScratch {
   std::uint64_t sequence_ = 0;
 };
 
-/// Searches from the source to the target, least g + heuristic(node) first, and stops when the
-/// target is taken from the open list. Nodes are re-opened when a cheaper way is found, so an
-/// admissible heuristic gives a cheapest path whether or not it is consistent. The path stands in
-/// the labels' parents. Errors: `unreachable` when the open list ran empty; what the budget says.
-/// Source: Hart, Nilsson and Raphael 1968, "A formal basis
-/// for the heuristic determination of minimum cost paths"; with heuristic 0: Dijkstra 1959.
+/// Searches from the source to the target in the order of least g + heuristic(node). Stops when the
+/// target is popped. Nodes are re-opened when a cheaper path to them is found, so an admissible
+/// heuristic gives a cheapest path even if it is not consistent. The labels' parents hold the path.
+/// Errors: `unreachable` if the open list runs empty; those of the budget.
+///
+/// Source: Hart, Nilsson and Raphael 1968, "A formal basis for the heuristic determination of
+/// minimum cost paths"; with heuristic 0: Dijkstra 1959.
 template <SearchGraph Graph, std::invocable<NodeId> Heuristic, FreeSpace S, Observer O>
 Expected<void, Failure> best_first(const Graph& graph, const Heuristic& heuristic,
                                    BestFirstScratch& scratch, SearchContext<S, O>& context) {
   scratch.reset(graph.size());
-  const auto reach = [&](NodeId node, NodeId parent, Cost g) {
+  const auto relax = [&](NodeId node, NodeId parent, Cost g) {
     const auto* label = scratch.find(node);
     if (label != nullptr && label->g <= g) return;
     scratch.push(node, parent, g, g + heuristic(node));
     context.count_generated(Point(graph.point(node)));
   };
-  reach(graph.source(), graph.source(), 0);
+  relax(graph.source(), graph.source(), 0);
   while (const auto entry = scratch.pop()) {
     if (entry->node == graph.target()) return {};
     if (auto within = context.check_budget(); !within) return within;
     context.count_expanded(Point(graph.point(entry->node)));
     graph.for_each_successor(entry->node, [&](NodeId successor, Cost cost) {
-      reach(successor, entry->node, entry->g + cost);
+      relax(successor, entry->node, entry->g + cost);
     });
   }
   return fail(PlanError::unreachable);

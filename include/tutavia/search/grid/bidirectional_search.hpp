@@ -16,7 +16,7 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// BidirectionalSearch: two waves of A* that meet.
+/// BidirectionalSearch: A* from the start and from the goal until they meet.
 
 namespace tutavia::detail {
 
@@ -26,16 +26,17 @@ struct BidirectionalScratch {
   std::vector<Cell> cells, half;
 };
 
-/// Two waves, from the start and from the goal, on their way to each other.
+/// Two expansions, one from the start and one from the goal.
 template <GridSpace S, Observer O>
-class MeetingWaves {
+class BidirectionalExpansion {
  public:
-  MeetingWaves(SearchContext<S, O>& context, const GridQuery& linked, BidirectionalScratch& scratch)
+  BidirectionalExpansion(SearchContext<S, O>& context, const GridQuery& linked,
+                         BidirectionalScratch& scratch)
       : context_(context),
         forward_(context, linked, scratch.forward),
         backward_(context, linked.reversed(), scratch.backward) {}
 
-  /// Expands cells until no meeting can be better than the best one found.
+  /// Expands cells until no meeting can be cheaper than the best one found.
   Expected<void, Failure> run() {
     auto within = expand_in_turn();
     const Statistics &forward = forward_.context.statistics,
@@ -46,34 +47,34 @@ class MeetingWaves {
     return within;
   }
 
-  /// The path found, from the goal's cell back to the start's. `half` is memory.
+  /// The path found, from the goal's cell back to the start's. `half` is scratch memory.
   void trace(std::vector<Cell>& cells, std::vector<Cell>& half) const {
     const OccupancyGrid& grid = context_.space.grid();
     const Cell middle = grid.cell(meeting_);
     cells.clear();
-    detail::trace(grid, backward_.wave.labels(), middle, cells);
+    detail::trace(grid, backward_.expansion.labels(), middle, cells);
     std::reverse(cells.begin(), cells.end());
     half.clear();
-    detail::trace(grid, forward_.wave.labels(), middle, half);
+    detail::trace(grid, forward_.expansion.labels(), middle, half);
     cells.insert(cells.end(), half.begin() + 1, half.end());
   }
 
  private:
-  using Wave = GridExpansion<SuccessorRule::all, OctileHeuristic, S, O>;
+  using Expansion = GridExpansion<SuccessorRule::all, OctileHeuristic, S, O>;
 
-  /// A wave with counts of its own.
+  /// One expansion with its own statistics.
   struct Side {
     Side(const SearchContext<S, O>& whole, const GridQuery& linked, GridExpansionScratch& scratch)
         : context{whole.space, whole.query, whole.observer},
-          wave(context, OctileHeuristic(linked), linked.starts, scratch) {}
+          expansion(context, OctileHeuristic(linked), linked.starts, scratch) {}
 
-    /// Cells labelled and not yet expanded, about.
+    /// The approximate number of cells labelled and not yet expanded.
     std::uint64_t open_cells() const {
       return context.statistics.generated - context.statistics.expanded;
     }
 
     SearchContext<S, O> context;
-    Wave wave;
+    Expansion expansion;
   };
 
   Expected<void, Failure> expand_in_turn() {
@@ -82,23 +83,23 @@ class MeetingWaves {
           forward_.context.statistics.expanded + backward_.context.statistics.expanded;
       if (auto within = check_budget(context_.query.budget, expanded, 256); !within) return within;
       const bool go_forward = forward_.open_cells() <= backward_.open_cells();
-      if (!(go_forward ? offset_along(forward_, backward_) : offset_along(backward_, forward_)))
+      if (!(go_forward ? expand_one(forward_, backward_) : expand_one(backward_, forward_)))
         return {};
     }
   }
 
-  /// Expands one cell of a wave; false when the wave has come to its end.
-  bool offset_along(Side& mine, const Side& other) {
-    typename Wave::Popped popped;
-    if (!mine.wave.pop(best_, popped)) return false;
-    if (other.wave.labels().reached(popped.index)) {
-      const Cost total = popped.g + other.wave.labels().g(popped.index);
+  /// Expands one cell of a side. Returns false when it has no cell left.
+  bool expand_one(Side& mine, const Side& other) {
+    typename Expansion::Popped popped;
+    if (!mine.expansion.pop(best_, popped)) return false;
+    if (other.expansion.labels().reached(popped.index)) {
+      const Cost total = popped.g + other.expansion.labels().g(popped.index);
       if (total < best_) {
         best_ = total;
         meeting_ = popped.index;
       }
     }
-    mine.wave.expand(popped);
+    mine.expansion.expand(popped);
     return true;
   }
 
@@ -114,9 +115,9 @@ struct BidirectionalSearch {
 
   template <GridSpace S, Observer O>
   Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
-    MeetingWaves<S, O> waves(context, linked, scratch);
-    if (auto found = waves.run(); !found) return std::move(found).unexpected();
-    waves.trace(scratch.cells, scratch.half);
+    BidirectionalExpansion<S, O> search(context, linked, scratch);
+    if (auto found = search.run(); !found) return std::move(found).unexpected();
+    search.trace(scratch.cells, scratch.half);
     return GridPath{scratch.cells};
   }
 };

@@ -7,26 +7,26 @@
 #include "tutavia/search/grid/open_heap.hpp"
 
 /// \file
-/// BinaryHeap: an open list for keys that may fall.
+/// BinaryHeap: an open list for keys that may decrease.
 
 namespace tutavia::detail {
 
 /// A binary heap with the interface of WideBucketQueue, for heuristics that are not consistent.
-/// Among equal keys the entry pushed last comes first.
+/// Ties go to the entry pushed last.
 class BinaryHeap {
  public:
   struct Entry {
     Cost key;
     std::uint32_t sequence;
     std::uint32_t node;
-    std::uint32_t note;  ///< the searcher's own
+    std::uint32_t tag;  ///< for the searcher's own use
 
     friend bool operator<(const Entry& a, const Entry& b) {  // worse < better
       return a.key != b.key ? a.key > b.key : a.sequence < b.sequence;
     }
   };
 
-  static constexpr Cost width = 1;  ///< keys are told apart exactly
+  static constexpr Cost width = 1;  ///< keys are compared exactly
 
   /// Empties the heap.
   void reset(Cost) {
@@ -36,14 +36,14 @@ class BinaryHeap {
 
   bool empty() const { return entries_.empty(); }
 
-  void push(Cost key, std::uint32_t node, std::uint32_t note) {
-    entries_.push({key, sequence_++, node, note});
+  void push(Cost key, std::uint32_t node, std::uint32_t tag) {
+    entries_.push({key, sequence_++, node, tag});
   }
 
-  /// The least key. \pre not empty
+  /// The smallest key. \pre not empty
   Cost seek_first() const { return entries_.top().key; }
 
-  /// Takes an entry with the least key. \pre not empty
+  /// Removes and returns an entry with the smallest key. \pre not empty
   Entry pop() { return entries_.pop(); }
 
  private:

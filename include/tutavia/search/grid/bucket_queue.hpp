@@ -10,32 +10,32 @@
 #include "tutavia/grid/movement.hpp"
 
 /// \file
-/// BucketQueue: an open list for keys that rise slowly.
+/// BucketQueue: an open list for keys that increase by small amounts.
 
 namespace tutavia::detail {
 
-/// What waits in a BucketQueue.
+/// An entry of a BucketQueue.
 struct BucketEntry {
   std::uint32_t node;
-  std::uint32_t note;  ///< the searcher's own
+  std::uint32_t tag;  ///< for the searcher's own use
 };
 
-/// The memory of a BucketQueue; nothing is freed between queries.
+/// Memory of a BucketQueue; never freed between queries.
 using Buckets = std::array<std::vector<BucketEntry>, 64>;
 
 /// A monotone priority queue of 64 circular buckets, each 2^Shift wide, with an occupancy word
 /// (Dial 1969, "Shortest path forest with topological ordering"; Denardo and Fox 1979 for the
 /// width).
 ///
-/// Keys within one bucket come last in, first out, so a search has to re-open nodes, unless no
-/// step is cheaper than a bucket is wide. Every key pushed has to lie in the 63 buckets from the
-/// one that `seek_first` has moved to.
+/// Keys within a bucket are last in, first out. So a search must re-open nodes, unless every step
+/// costs at least the width of a bucket. Every key pushed must lie within 63 buckets of the one
+/// that `seek_first` selected.
 template <int Shift>
 class BucketQueue {
  public:
   static constexpr Cost width = Cost{1} << Shift;  ///< of a bucket
 
-  /// An empty queue; no key will be less than `least`.
+  /// An empty queue. \pre no key will be less than `least`
   BucketQueue(Buckets& buckets, Cost least)
       : buckets_(buckets), current_(static_cast<std::uint64_t>(least) >> Shift) {
     for (std::vector<BucketEntry>& bucket : buckets) bucket.clear();
@@ -43,21 +43,20 @@ class BucketQueue {
 
   bool empty() const { return occupied_ == 0; }
 
-  void push(Cost key, std::uint32_t node, std::uint32_t note) {
+  void push(Cost key, std::uint32_t node, std::uint32_t tag) {
     const auto bucket = (static_cast<std::uint64_t>(key) >> Shift) % 64;
-    buckets_[bucket].push_back({node, note});
+    buckets_[bucket].push_back({node, tag});
     occupied_ |= std::uint64_t{1} << bucket;
   }
 
-  /// Moves on to the first bucket with entries; no key in the queue is less than the result.
-  /// \pre not empty
+  /// Selects the first non-empty bucket and returns a lower bound on all keys. \pre not empty
   Cost seek_first() {
-    const auto turn = static_cast<int>(current_ % 64);
-    current_ += static_cast<unsigned>(std::countr_zero(std::rotr(occupied_, turn)));
+    const auto rotation = static_cast<int>(current_ % 64);
+    current_ += static_cast<unsigned>(std::countr_zero(std::rotr(occupied_, rotation)));
     return static_cast<Cost>(current_ << Shift);
   }
 
-  /// Takes an entry from the bucket that `seek_first` has moved to.
+  /// Removes and returns an entry of the bucket that `seek_first` selected.
   BucketEntry pop() {
     std::vector<BucketEntry>& bucket = buckets_[current_ % 64];
     const BucketEntry entry = bucket.back();

@@ -11,17 +11,18 @@
 #include "tutavia/search/query_checks.hpp"
 
 /// \file
-/// One wave from start to goal: A* and Dijkstra's algorithm, canonical or not.
+/// ExpansionSearch: one expansion from start to goal, for A* and Dijkstra's algorithm, canonical or
+/// not.
 
 namespace tutavia::detail {
 
-/// Memory of the searches that are one wave.
+/// Memory of searches with one expansion.
 struct ExpansionScratch {
-  GridExpansionScratch wave;
+  GridExpansionScratch expansion;
   std::vector<Cell> cells;
 };
 
-/// The cells at which the path to `cell` turns, from there back to the seed it came from, both
+/// The cells at which the path to `cell` turns, from `cell` back to the seed it started from, both
 /// included.
 inline void trace(const OccupancyGrid& grid, const GridLabels::View& labels, Cell cell,
                   std::vector<Cell>& cells) {
@@ -37,33 +38,33 @@ inline void trace(const OccupancyGrid& grid, const GridLabels::View& labels, Cel
   }
 }
 
-/// A search that is one wave, from the start's links to the goal's. It stops when no cell can lead
-/// to a cheaper path than the best one found.
+/// A search by one expansion from the start's links to the goal's. Stops when no cell can lead to a
+/// cheaper path than the best one found.
 template <SuccessorRule Successors, BucketHeuristic Heuristic>
 struct ExpansionSearch {
   ExpansionScratch& scratch;
 
   template <GridSpace S, Observer O>
   Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
-    GridExpansion<Successors, Heuristic, S, O> wave(context, Heuristic(linked), linked.starts,
-                                                    scratch.wave);
+    GridExpansion<Successors, Heuristic, S, O> expansion(context, Heuristic(linked), linked.starts,
+                                                         scratch.expansion);
     Cost best = std::numeric_limits<Cost>::max();
     Cell end;
-    typename decltype(wave)::Popped popped;
-    while (wave.pop(best, popped)) {
+    typename decltype(expansion)::Popped popped;
+    while (expansion.pop(best, popped)) {
       if (linked.near_goal(popped.cell)) {
         if (const auto exit = linked.exit_cost(popped.cell); exit && popped.g + *exit < best) {
           best = popped.g + *exit;
           end = popped.cell;
-          if (best <= wave.f(popped)) continue;
+          if (best <= expansion.f(popped)) continue;
         }
       }
       if (auto within = context.check_budget(); !within) return std::move(within).unexpected();
-      wave.expand(popped);
+      expansion.expand(popped);
     }
     if (best == std::numeric_limits<Cost>::max()) return fail(PlanError::unreachable);
     scratch.cells.clear();
-    trace(context.space.grid(), wave.labels(), end, scratch.cells);
+    trace(context.space.grid(), expansion.labels(), end, scratch.cells);
     return GridPath{scratch.cells};
   }
 };

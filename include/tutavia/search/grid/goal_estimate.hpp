@@ -9,12 +9,12 @@
 #include "tutavia/search/heuristic.hpp"
 
 /// \file
-/// Estimates of the cost from a cell to a linked goal.
+/// Estimates of the cost from a cell to a goal linked to the grid.
 
 namespace tutavia::detail {
 
-/// The estimate for a linked goal, by value: distance to the cell nearest to it, plus the least
-/// that any of its links adds to that, if that is negative.
+/// The estimate for a linked goal: distance to the cell nearest to the goal, plus the least offset
+/// that any of its links adds to that, if negative.
 class GoalEstimate {
  public:
   GoalEstimate(HeuristicKind heuristic, const GridQuery& linked)
@@ -53,7 +53,7 @@ struct ZeroHeuristic {
   ZeroHeuristic() = default;
   explicit ZeroHeuristic(const GridQuery&) {}
 
-  /// Buckets narrower than a straight step: no cell is expanded twice.
+  /// Buckets are narrower than a straight step, so no cell is expanded twice.
   static constexpr int bucket_shift = 13;
   Cost operator()(Cell) const { return 0; }
 };
@@ -65,7 +65,7 @@ struct OctileHeuristic {
   explicit OctileHeuristic(const GridQuery& linked)
       : OctileHeuristic(linked.goal_cell, linked.goal_offset) {}
 
-  /// A step raises f by no more than two diagonals, and so stays within 63 buckets.
+  /// A step raises f by at most two diagonals, which is within 63 buckets.
   static constexpr int bucket_shift = 10;
   Cell goal{};
   Cost offset = 0;

@@ -21,38 +21,36 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// GridExpansion: best-first search over the cells of a grid, as fast as it gets.
+/// GridExpansion: best-first search over the cells of a grid (speed: docs/performance.md).
 
 namespace tutavia::detail {
 
-/// Memory of one wave; kept from query to query.
+/// Memory of one expansion, kept from query to query.
 struct GridExpansionScratch {
   GridLabels labels;
   Buckets buckets;
 };
 
-/// A heuristic by which a wave can be ordered in buckets: a function of cells, and the logarithm of
-/// how wide the buckets are (see BucketQueue).
+/// A heuristic for searches ordered in buckets: a function of cells, and the logarithm of the width
+/// of buckets (see BucketQueue).
 template <class H>
 concept BucketHeuristic = requires(const H& heuristic, Cell cell) {
   { heuristic(cell) } -> std::same_as<Cost>;
   { H::bucket_shift } -> std::convertible_to<int>;
 };
 
-/// Which steps a wave follows from a cell.
+/// Which steps a search follows from a cell.
 enum class SuccessorRule {
   all,
-  canonical,  ///< those of the canonical table, which reach every cell by a path as cheap
+  canonical,  ///< those of the canonical table, which reach every cell at the same cost
 };
 
-/// One wave of expansions from a set of first cells, least f = g + h first. A* is one wave, and so
-/// is Dijkstra's algorithm; bidirectional search is two.
-///
-/// It counts in its context what it expands and generates.
+/// Expansion from a set of seed cells in the order of least f = g + h. A* and Dijkstra's algorithm
+/// use one, bidirectional search two. Counts expanded and generated cells in its context.
 template <SuccessorRule Successors, BucketHeuristic Heuristic, GridSpace S, Observer O>
 class GridExpansion {
  public:
-  /// A cell taken from the open list; its label is up to date.
+  /// A cell popped from the open list, with its current label.
   struct Popped {
     std::uint32_t index;
     Cell cell;
@@ -60,7 +58,7 @@ class GridExpansion {
     std::size_t arrival;
   };
 
-  /// Begins at cells that are reached from outside the grid, each at a cost.
+  /// Starts from cells that are reached from outside the grid, each at a cost.
   GridExpansion(SearchContext<S, O>& context, const Heuristic& heuristic,
                 std::span<const CellLink> seeds, GridExpansionScratch& scratch)
       : context_(context),
@@ -74,18 +72,18 @@ class GridExpansion {
       offsets_[step] = static_cast<std::uint32_t>(grid.index(steps[step]) - grid.index({0, 0}));
     }
     for (const auto& [cell, cost] : seeds) {
-      reach(static_cast<std::uint32_t>(grid_.index(cell)), cell, cost, no_step);
+      relax(static_cast<std::uint32_t>(grid_.index(cell)), cell, cost, no_step);
     }
   }
 
-  /// Takes the next cell with f < limit; nothing when there is none.
+  /// Pops the next cell with f < limit into `out`; false if there is none.
   bool pop(Cost limit, Popped& out) {
     while (!open_.empty()) {
       const Cost bucket = open_.seek_first();
       if (bucket >= limit) return false;
       const BucketEntry entry = open_.pop();
       const std::uint64_t label = labels_[entry.node];
-      if (LabelWords::note(label) != entry.note) continue;  // a better way has overtaken it
+      if (LabelWords::tag(label) != entry.tag) continue;  // a cheaper path was found since
       const Cell cell = grid_.cell(entry.node);
       const Cost g = labels_.words().g(label);
       if (bucket > limit - open_.width && g + heuristic_(cell) >= limit) continue;
@@ -103,11 +101,11 @@ class GridExpansion {
     while (left != 0) {
       const auto step = static_cast<unsigned>(std::countr_zero(left));
       left &= left - 1;
-      reach(from.index + offsets_[step], from.cell + steps[step], from.g + step_cost(step), step);
+      relax(from.index + offsets_[step], from.cell + steps[step], from.g + step_cost(step), step);
     }
   }
 
-  /// f of a cell taken from the open list.
+  /// f of a popped cell.
   Cost f(const Popped& popped) const { return popped.g + heuristic_(popped.cell); }
 
   const GridLabels::View& labels() const { return labels_; }
@@ -115,7 +113,7 @@ class GridExpansion {
  private:
   static constexpr bool is_canonical = Successors == SuccessorRule::canonical;
 
-  /// By the step of arrival; one for all where the wave is not canonical.
+  /// Indexed by the step of arrival; a single table if the search is not canonical.
   static const SuccessorTable* tables(MovementRule rule) {
     return is_canonical ? canonical_table(rule).data() : &all_successors(rule);
   }
@@ -126,12 +124,12 @@ class GridExpansion {
     return least;
   }
 
-  void reach(std::uint32_t index, Cell cell, Cost g, std::size_t step) {
+  void relax(std::uint32_t index, Cell cell, Cost g, std::size_t step) {
     const std::uint64_t label = labels_.words().word(g, step);
     if (!labels_.improve(index, label)) return;
     context_.count_generated(cell);
     if (step != no_step) labels_.prefetch(index + offsets_[step]);  // likely to be next
-    open_.push(g + heuristic_(cell), index, LabelWords::note(label));
+    open_.push(g + heuristic_(cell), index, LabelWords::tag(label));
   }
 
   SearchContext<S, O>& context_;

@@ -12,37 +12,37 @@
 #include "tutavia/search/grid/search_grid.hpp"
 
 /// \file
-/// GridGraph: a grid with a query's start and goal joined to it, as a SearchGraph.
+/// GridGraph: a grid with a query's start and goal linked to it, as a SearchGraph.
 
 namespace tutavia::detail {
 
-/// What the steps on a grid cost: `step_cost(cell, step)` is the price of a step from a cell, in
-/// 1 / `scale` of the usual unit of cost.
+/// The costs of steps on a grid: `step_cost(cell, step)` is the cost of a step from a cell, in 1 /
+/// `scale` of the usual unit of cost.
 template <class P>
-concept StepCosts = requires(const P& prices, Cell cell, std::size_t step) {
+concept StepCosts = requires(const P& costs, Cell cell, std::size_t step) {
   { P::scale } -> std::convertible_to<Cost>;
-  { prices.step_cost(cell, step) } -> std::same_as<Cost>;
+  { costs.step_cost(cell, step) } -> std::same_as<Cost>;
 };
 
-/// Steps at their plain cost.
+/// Steps cost their length.
 struct PlainStepCosts {
   static constexpr Cost scale = 1;
   Cost step_cost(Cell, std::size_t step) const { return detail::step_cost(step); }
 };
 
-/// The graph of a grid's free cells (node = cell index) and two more nodes for start and goal.
-/// The links cost what they are long.
-template <GridSpace S, StepCosts Prices = PlainStepCosts>
+/// The graph of a grid's free cells (node = cell index), plus two nodes for start and goal. Links
+/// cost their length.
+template <GridSpace S, StepCosts Costs = PlainStepCosts>
 class GridGraph {
  public:
-  GridGraph(const S& space, const Query& query, const GridQuery& linked, const Prices& prices)
+  GridGraph(const S& space, const Query& query, const GridQuery& linked, const Costs& costs)
       : space_(space),
         grid_(space.grid().view()),
         cells_(space.grid().index_count()),
         table_(all_successors(space.movement())),
         query_(query),
         linked_(linked),
-        prices_(prices) {}
+        costs_(costs) {}
 
   std::size_t size() const { return cells_ + 2; }
   NodeId source() const { return static_cast<NodeId>(cells_); }
@@ -57,21 +57,21 @@ class GridGraph {
   template <class Visit>
   void for_each_successor(NodeId node, Visit visit) const {
     if (node == source()) {
-      for (const auto& [cell, cost] : linked_.starts) visit(id(cell), Prices::scale * cost);
+      for (const auto& [cell, cost] : linked_.starts) visit(id(cell), Costs::scale * cost);
       return;
     }
     const Cell cell = grid_.cell(node);
     for (unsigned left = table_[grid_.neighbourhood(node)]; left != 0; left &= left - 1) {
       const auto step = static_cast<std::size_t>(std::countr_zero(left));
-      visit(id(cell + steps[step]), prices_.step_cost(cell, step));
+      visit(id(cell + steps[step]), costs_.step_cost(cell, step));
     }
-    if (const auto cost = linked_.exit_cost(cell)) visit(target(), Prices::scale * *cost);
+    if (const auto cost = linked_.exit_cost(cell)) visit(target(), Costs::scale * *cost);
   }
 
   Cell cell(NodeId node) const { return grid_.cell(node); }
   double in_metres(Cost cost) const {
     return tutavia::detail::in_metres(cost, space_.frame().resolution,
-                                      Prices::scale * straight_cost);
+                                      Costs::scale * straight_cost);
   }
 
  private:
@@ -83,16 +83,16 @@ class GridGraph {
   const SuccessorTable& table_;
   const Query& query_;
   const GridQuery& linked_;
-  const Prices& prices_;
+  const Costs& costs_;
 };
 
-/// Memory of the searches on a GridGraph.
+/// Memory of searches on a GridGraph.
 struct GridGraphScratch {
   BestFirstScratch best_first;
   std::vector<Cell> cells;
 };
 
-/// A graph of a grid's cells, with two more nodes after them for start and goal: `cell(node)` is
+/// A graph of a grid's cells, with two more nodes at its end for start and goal. `cell(node)` is
 /// the cell of any other node, `in_metres(cost)` a cost in metres.
 template <class G>
 concept CellGraph = SearchGraph<G> && requires(const G& graph, NodeId node, Cost cost) {
@@ -102,8 +102,8 @@ concept CellGraph = SearchGraph<G> && requires(const G& graph, NodeId node, Cost
 
 /// Best-first search on a graph of cells. `estimate(cell)` estimates the cost from a cell to the
 /// goal.
-template <CellGraph Graph, std::invocable<Cell> ValueWithError, GridSpace S, Observer O>
-Expected<GridPath, Failure> search_cells(const Graph& graph, const ValueWithError& estimate,
+template <CellGraph Graph, std::invocable<Cell> Estimate, GridSpace S, Observer O>
+Expected<GridPath, Failure> search_cells(const Graph& graph, const Estimate& estimate,
                                          GridGraphScratch& scratch, SearchContext<S, O>& context) {
   const auto heuristic = [&](NodeId node) -> Cost {
     return node >= graph.source() ? 0 : estimate(graph.cell(node));
@@ -120,29 +120,29 @@ Expected<GridPath, Failure> search_cells(const Graph& graph, const ValueWithErro
 }
 
 /// Best-first search on a GridGraph; see `graph_search`.
-template <StepCosts Prices, std::invocable<const GridQuery&> MakeEstimate>
+template <StepCosts Costs, std::invocable<const GridQuery&> MakeEstimate>
 struct GraphSearch {
-  const Prices& prices;
+  const Costs& costs;
   const MakeEstimate& make_estimate;
   GridGraphScratch& scratch;
 
   template <GridSpace S, Observer O>
   Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
-    const GridGraph<S, Prices> graph(context.space, context.query, linked, prices);
+    const GridGraph<S, Costs> graph(context.space, context.query, linked, costs);
     return search_cells(graph, make_estimate(linked), scratch, context);
   }
 };
 
-/// Best-first search on a GridGraph. `make_estimate(linked)` is a function that estimates the price
-/// from a cell to the goal. The route's cost is the price paid, in metres. The straight segment is
-/// tried first where steps have their plain cost.
-template <GridSpace S, StepCosts Prices, std::invocable<const GridQuery&> MakeEstimate, Observer O>
+/// Best-first search on a GridGraph. `make_estimate(linked)` returns a function that estimates the
+/// cost from a cell to the goal. The route's cost is the path cost in metres. If steps cost their
+/// length, the straight segment is tried first.
+template <GridSpace S, StepCosts Costs, std::invocable<const GridQuery&> MakeEstimate, Observer O>
 Expected<Route, Failure> graph_search(const S& space, const Query& query, GridGraphScratch& scratch,
-                                      O& observer, const Prices& prices,
+                                      O& observer, const Costs& costs,
                                       const MakeEstimate& make_estimate) {
   return search_grid(space, query, observer,
-                     GraphSearch<Prices, MakeEstimate>{prices, make_estimate, scratch},
-                     Prices::scale == 1 ? StraightSegment::tried_first : StraightSegment::ignored);
+                     GraphSearch<Costs, MakeEstimate>{costs, make_estimate, scratch},
+                     Costs::scale == 1 ? StraightSegment::tried_first : StraightSegment::ignored);
 }
 
 }  // namespace tutavia::detail

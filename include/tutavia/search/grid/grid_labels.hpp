@@ -10,22 +10,22 @@
 #include "tutavia/grid/movement.hpp"
 
 /// \file
-/// GridLabels: what a search knows about each cell, in eight bytes.
+/// GridLabels: an eight-byte label per cell, with path cost and step of arrival.
 
 namespace tutavia::detail {
 
-/// Labels as words that grow as they get better: the query's number (13 bits), the bits of g
-/// inverted (47 bits, which no path on a grid of 2^32 cells exceeds), the step of arrival (4 bits).
-/// So labels of earlier queries lose every comparison, nothing is cleared between queries, and one
-/// comparison decides whether a way is new or better.
+/// Labels packed into words that compare larger when they are better: the query's number (13 bits),
+/// the inverted bits of g (47 bits, more than any path on a grid of 2^32 cells needs) and the step
+/// of arrival (4 bits). Labels of earlier queries lose every comparison, so nothing is cleared
+/// between queries. One comparison decides whether a path is the first or cheaper.
 class LabelWords {
  public:
   static constexpr std::uint64_t last_query = (std::uint64_t{1} << 13) - 1;
 
-  /// The labels of query 1, ..., last_query; 0 is a label of none.
+  /// The labels of query 1, ..., last_query; 0 marks a cell without a label.
   explicit LabelWords(std::uint64_t query) : base_((query << g_bits | g_mask) << step_bits) {}
 
-  /// The label of a way of cost `g` that arrives by the step `arrival`.
+  /// The label of a path of cost `g` that arrives by the step `arrival`.
   std::uint64_t word(Cost g, std::size_t arrival) const {
     return (base_ - (static_cast<std::uint64_t>(g) << step_bits)) | arrival;
   }
@@ -38,8 +38,8 @@ class LabelWords {
     return static_cast<Cost>((base_ - (label & ~step_mask)) >> step_bits);
   }
   static std::size_t arrival(std::uint64_t label) { return label & step_mask; }
-  /// Tells a label from the labels of the same cell that come soon after it.
-  static std::uint32_t note(std::uint64_t label) {
+  /// A tag that distinguishes a label from the labels that soon replace it at the same cell.
+  static std::uint32_t tag(std::uint64_t label) {
     return static_cast<std::uint32_t>(label >> step_bits);
   }
 
@@ -51,16 +51,17 @@ class LabelWords {
   std::uint64_t base_;
 };
 
-/// For each cell the cost g of the best way found to it and the step by which that way arrives.
-/// Cells never reached take no memory, as far as whole pages of them go untouched.
+/// For each cell, the cost g of the best path found to it and the step by which that path arrives.
+/// Memory pages without a reached cell are never allocated.
 class GridLabels {
  public:
-  /// The labels of one query, by value for inner loops.
+  /// The labels of one query, passed by value to inner loops.
   class View {
    public:
     View(std::uint64_t* labels, std::uint64_t query) : labels_(labels), words_(query) {}
 
-    /// Notes a way to a cell (see LabelWords::word), if it is the first or a better one.
+    /// Records a path to a cell (see LabelWords::word) if it is the first or a cheaper one; returns
+    /// whether it is.
     bool improve(std::size_t cell, std::uint64_t label) const {
       if (!LabelWords::is_better(label, labels_[cell])) return false;
       labels_[cell] = label;
@@ -77,7 +78,7 @@ class GridLabels {
     /// \pre reached(cell)
     std::size_t arrival(std::size_t cell) const { return LabelWords::arrival(labels_[cell]); }
 
-    /// The label of a cell is going to be looked at.
+    /// Prefetches the label of a cell.
     void prefetch(std::size_t cell) const { tutavia::detail::prefetch(labels_ + cell); }
 
    private:
@@ -85,7 +86,7 @@ class GridLabels {
     LabelWords words_;
   };
 
-  /// Forgets all labels. Allocates for a larger grid, and once in 8191 queries.
+  /// Invalidates all labels. Allocates for a larger grid, and once every 8191 queries.
   View reset(std::size_t size) {
     if (labels_.size() < size || query_ == LabelWords::last_query) {
       labels_ = ZeroedArray<std::uint64_t>(size);
@@ -94,7 +95,7 @@ class GridLabels {
     ++query_;
     return view();
   }
-  /// The labels of the query begun last, to be read.
+  /// The labels of the current query, for reading.
   View view() const { return {const_cast<std::uint64_t*>(labels_.data()), query_}; }
 
  private:

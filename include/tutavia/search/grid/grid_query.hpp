@@ -20,26 +20,26 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// GridQuery: a query in terms of cells.
+/// GridQuery: a query whose start and goal are linked to the cells of a grid.
 
 namespace tutavia::detail {
 
-/// A cost in metres; `straight` is what a straight step costs.
+/// A cost in metres; `straight` is the cost of a straight step.
 inline double in_metres(Cost cost, double resolution, Cost straight = straight_cost) {
   return static_cast<double>(cost) * resolution / static_cast<double>(straight);
 }
 
-/// A cell that the start or the goal is joined to, and what the link costs.
+/// A cell to which the start or the goal is linked, and the cost of the link.
 struct CellLink {
   Cell cell{};
   Cost cost = 0;
 };
 
-/// The links of one end; a fixed capacity keeps searches free of allocation.
+/// The links of the start or the goal. The fixed capacity avoids allocation.
 class CellLinks {
  public:
   CellLinks() = default;
-  /// Lengths become cost units, rounded up.
+  /// Converts lengths to cost units, rounded up.
   CellLinks(const EndpointLinks& links, double resolution) {
     for (const EndpointLink& link : links) {
       links_[size_++] = {
@@ -53,9 +53,9 @@ class CellLinks {
   const CellLink* begin() const { return links_.data(); }
   const CellLink* end() const { return links_.data() + size_; }
 
-  /// Whether the end is the reference point of a cell.
+  /// Whether the point is the reference point of a cell.
   bool is_cell() const { return size_ == 1 && links_[0].cost == 0; }
-  /// What the link to a cell costs, if there is one.
+  /// The cost of the link to a cell, if there is one.
   std::optional<Cost> cost_of(Cell cell) const {
     for (const CellLink& link : *this) {
       if (link.cell == cell) return link.cost;
@@ -68,17 +68,18 @@ class CellLinks {
   std::size_t size_ = 0;
 };
 
-/// Start and goal of a query joined to a grid.
+/// Start and goal of a query, linked to a grid.
 struct GridQuery {
   CellLinks starts;
   CellLinks goals;
   Cell start_cell{};  ///< nearest to the start
   Cell goal_cell{};   ///< nearest to the goal; goals lie no more than one step from it
 
-  /// Octile distance to `goal_cell` plus this is a consistent estimate of the cost to the goal: the
-  /// least that any goal link adds to the octile distance to it, which may be negative.
+  /// Octile distance to `goal_cell` plus this offset is a consistent estimate of the cost to the
+  /// goal. The offset is the least cost of a goal link minus the octile distance of its cell from
+  /// `goal_cell`; it may be negative.
   Cost goal_offset = 0;
-  /// Whether the straight segment between start and goal is free and to be taken.
+  /// Whether the straight segment between start and goal is free and is the answer.
   bool is_straight = false;
 
   GridQuery reversed() const {
@@ -87,13 +88,13 @@ struct GridQuery {
     return result;
   }
 
-  /// Whether a cell is `goal_cell` or next to it; all others have no link to the goal.
+  /// Whether a cell is `goal_cell` or next to it; only these can have a link to the goal.
   bool near_goal(Cell cell) const {
     const Cell d = cell - goal_cell;
     return -1 <= d.x && d.x <= 1 && -1 <= d.y && d.y <= 1;
   }
 
-  /// Cost of leaving the grid for the goal at a cell, if that is possible.
+  /// Cost of leaving the grid from a cell to the goal, if it has a link.
   std::optional<Cost> exit_cost(Cell cell) const {
     if (!near_goal(cell)) return std::nullopt;
     return goals.cost_of(cell);
@@ -108,8 +109,8 @@ struct GridQuery {
   }
 };
 
-/// Adds the next cell to a path of cells in which only turns are kept: a cell in line with the two
-/// before takes the place of the last, and the last is not repeated.
+/// Appends a cell to a path that keeps only turns. A repeated cell is ignored, and a cell in line
+/// with the last two replaces the last.
 inline void append_cell(std::vector<Cell>& cells, Cell cell) {
   if (!cells.empty() && cells.back() == cell) return;
   if (cells.size() >= 2) {
@@ -125,12 +126,12 @@ inline void append_cell(std::vector<Cell>& cells, Cell cell) {
   cells.push_back(cell);
 }
 
-/// Whether the segment between a start and a goal off the grid is the answer where it is free.
+/// Whether a free straight segment between start and goal, if one is off the grid, is the answer.
 enum class StraightSegment { tried_first, ignored };
 
-/// Joins start and goal to the grid. Errors: those of `check_query`; `start_blocked` and
-/// `goal_blocked` also where no cell around the point can be reached from it, unless the straight
-/// segment will do.
+/// Links start and goal to the grid. Errors: those of `check_query`; `start_blocked` and
+/// `goal_blocked` also if no cell around the point can be reached from it, unless the straight
+/// segment is the answer.
 template <LinkedSpace S>
 Expected<GridQuery, Failure> link_to_grid(const S& space, const Query& query,
                                           StraightSegment straight) {
@@ -156,7 +157,7 @@ Expected<GridQuery, Failure> link_to_grid(const S& space, const Query& query,
   return linked;
 }
 
-/// What a search on a grid says of its failure.
+/// Completes the failure of a search on a grid.
 inline Failure grid_failure(Failure failure, const Statistics& stats, double resolution) {
   if (failure.code == PlanError::unreachable) {
     failure.code = PlanError::unreachable_at_resolution;
@@ -168,8 +169,8 @@ inline Failure grid_failure(Failure failure, const Statistics& stats, double res
   return failure;
 }
 
-/// The polyline from start to goal through `cells`, which lead from the goal's cell back to the
-/// start's. A cell that coincides with the start or the goal gives way to it.
+/// The polyline from start to goal through `cells`, which are ordered from the goal's cell back to
+/// the start's. A cell at the position of the start or the goal is left out.
 inline Curve path_through(std::span<const Cell> cells, const GridQuery& linked, const Query& query,
                           const Frame& frame) {
   auto first = cells.rbegin(), last = cells.rend();

@@ -15,16 +15,15 @@
 #include "tutavia/search/heuristic.hpp"
 
 /// \file
-/// What a jump point search is made of: an open list, a scanner and a guide.
+/// The parts of a jump point search: open list, scanner and guide.
 
 namespace tutavia::detail {
 
-/// The open list of a jump point search: WideBucketQueue, for estimates that are consistent, or
-/// BinaryHeap.
+/// The open list of a jump point search: WideBucketQueue for consistent estimates, or BinaryHeap.
 ///
-/// `reset(least)` empties it, and no key will be less. `push(key, node, note)` puts an entry in.
-/// `offset_along()` is a lower bound of all keys, less than `width` below that of the entry which
-/// `pop()` then takes out.
+/// `reset(least)` empties it; no key may be less than `least`. `push(key, node, tag)` adds an
+/// entry. `seek_first()` returns a lower bound on all keys; the key of the entry that `pop()` then
+/// returns exceeds it by less than `width`.
 template <class L>
 concept OpenList = std::default_initializable<L> &&
     requires(L& open, const L& constant, Cost key, std::uint32_t number) {
@@ -34,16 +33,16 @@ concept OpenList = std::default_initializable<L> &&
   open.push(key, number, number);
   { open.seek_first() } -> std::same_as<Cost>;
   { open.pop().node } -> std::convertible_to<std::uint32_t>;
-  { open.pop().note } -> std::convertible_to<std::uint32_t>;
+  { open.pop().tag } -> std::convertible_to<std::uint32_t>;
 };
 
-/// What jumps for a JumpSearch.
+/// Computes the jumps of a JumpSearch.
 ///
-/// `straight<Step>(cell)` is the number of steps to the jump point in that direction, or -n where
-/// there are n steps to a wall. `diagonal<Step>(cell, goal, visit)` calls `visit(k, horizontal,
-/// vertical)` for each number k of diagonal steps after which one of the two straight jumps from
-/// there leads to a jump point, or to a goal next to the cell `goal`; the jumps are as `straight`
-/// has them.
+/// `straight<Step>(cell)` is the number of steps to the jump point in that direction, or -n if
+/// there are n steps to an obstacle. `diagonal<Step>(cell, goal, visit)` calls `visit(k,
+/// horizontal, vertical)` for each number k of diagonal steps after which a straight jump leads to
+/// a jump point, or to a goal next to the cell `goal`. The two straight jumps are given as by
+/// `straight`.
 template <class S>
 concept JumpScanner = requires(const S& scanner, Cell cell, void (*visit)(int, int, int)) {
   { scanner.template straight<0>(cell) } -> std::same_as<int>;
@@ -56,21 +55,21 @@ concept JumpScanner = requires(const S& scanner, Cell cell, void (*visit)(int, i
   scanner.template diagonal<7>(cell, cell, visit);
 };
 
-/// A scanner that reads ahead: `prefetch(cell)` announces a cell that will be jumped from.
+/// A scanner with a prefetch: `prefetch(cell)` announces a cell from which the search will jump.
 template <class S>
 concept PrefetchingScanner = JumpScanner<S> && requires(const S& scanner, Cell cell) {
   scanner.prefetch(cell);
 };
 
-/// What guides a JumpSearch: `Open` is the type of its open list, `estimate(cell)` what the way
-/// from a cell to the goal may cost.
+/// The guide of a JumpSearch: `Open` is the type of its open list, `estimate(cell)` the estimated
+/// cost from a cell to the goal.
 template <class G>
 concept JumpGuide = OpenList<typename G::Open> && requires(const G& guide, Cell cell) {
   { guide.estimate(cell) } -> std::same_as<Cost>;
 };
 
-/// A guide that looks back: the jump points that a cell's parent sees, by `sees(a, b)`, become the
-/// parent's own.
+/// A guide with lines of sight, as in Theta*: if `line_of_sight(a, b)` holds between the parent a
+/// of a cell and a jump point b reached from the cell, a becomes the parent of b.
 template <class G>
 concept LookBackGuide = JumpGuide<G> && requires(const G& guide, Cell cell) {
   { guide.line_of_sight(cell, cell) } -> std::same_as<bool>;
@@ -85,7 +84,7 @@ struct JumpScratchWith {
 };
 using JumpScratch = JumpScratchWith<WideBucketQueue>;
 
-/// What guides jump point search proper: octile distance, and no looking back.
+/// The guide of plain jump point search: octile distance, without lines of sight.
 struct OctileGuide {
   using Open = WideBucketQueue;
 

@@ -29,7 +29,7 @@
 #include "tutavia/search/query_checks.hpp"
 
 /// \file
-/// Jump point search: what the online and the prepared variant share.
+/// JumpSearch: the search shared by jump point search with and without a table.
 
 namespace tutavia::detail {
 
@@ -42,8 +42,8 @@ inline Cost euclidean_cost(Cell a, Cell b) {
 
 /// A* over the jump points of a grid under `no_cut`.
 ///
-/// Only cells with a forced neighbour enter the open list; diagonal jump points, where a path does
-/// nothing but turn, are passed on the way. Goals are met while jumping and never enter it either.
+/// Only cells with a forced neighbour enter the open list. Diagonal jump points, where a path only
+/// turns, are handled within a jump. Goals are detected during jumps and do not enter it either.
 template <JumpScanner Scanner, JumpGuide Guide, GridSpace S, Observer O>
 class JumpSearch {
  public:
@@ -64,16 +64,16 @@ class JumpSearch {
     for (const auto& [cell, cost] : linked_.starts) least = std::min(least, cost + estimate(cell));
     open_.reset(least);
     for (const auto& [cell, cost] : linked_.starts) {
-      note(cell, cost, no_step);
-      reach_noted(cell);
-      leave_at(cell, cost, cell);
+      queue_label(cell, cost, no_step);
+      label_pending(cell);
+      try_exit(cell, cost, cell);
     }
     while (!open_.empty()) {
       const Cost least_key = open_.seek_first();
       if (least_key >= best_) break;
       const auto entry = open_.pop();
       const std::uint64_t label = labels_[entry.node].word;
-      if (LabelWords::note(label) != entry.note) continue;  // a better way has overtaken it
+      if (LabelWords::tag(label) != entry.tag) continue;  // a cheaper path was found since
       const Cell cell = grid_.cell(entry.node);
       const Cost g = labels_.words().g(label);
       if (least_key > best_ - Open::width && g + estimate(cell) >= best_) continue;
@@ -84,13 +84,13 @@ class JumpSearch {
     return {};
   }
 
-  /// The path found, from the goal's cell back to the start's: every cell where it may turn.
+  /// The path found, from the goal's cell back to the start's: every cell at which it may turn.
   void trace(std::vector<Cell>& cells) {
     Cell to = best_goal_, from = best_parent_;
     cells.assign(1, to);
     while (true) {
       if (from != to) {
-        // A jump runs along its diagonal first.
+        // A jump first runs along its diagonal.
         const int dx = to.x - from.x, dy = to.y - from.y;
         const int diagonal = std::min(std::abs(dx), std::abs(dy));
         const Cell turn{from.x + diagonal * sign(dx), from.y + diagonal * sign(dy)};
@@ -126,7 +126,7 @@ class JumpSearch {
     if (has(3)) jump_diagonally<3>(from, g);
     if (has(5)) jump_diagonally<5>(from, g);
     if (has(7)) jump_diagonally<7>(from, g);
-    reach_noted(from);
+    label_pending(from);
   }
 
   template <std::size_t Step>
@@ -136,7 +136,7 @@ class JumpSearch {
                                      [&](int k, int horizontal, int vertical) {
                                        const Cell cell{from.x + k * d.x, from.y + k * d.y};
                                        const Cost cost = g + k * diagonal_cost;
-                                       leave_at(cell, cost, from);
+                                       try_exit(cell, cost, from);
                                        jump<d.x == 1 ? 0 : 4>(cell, horizontal, cost, from);
                                        jump<d.y == 1 ? 2 : 6>(cell, vertical, cost, from);
                                      });
@@ -146,45 +146,46 @@ class JumpSearch {
   template <std::size_t Step>
   TUTAVIA_ALWAYS_INLINE void jump(Cell cell, int stop, Cost g, Cell parent) {
     constexpr Cell d = steps[Step];
-    const int aside = d.x != 0 ? linked_.goal_cell.y - cell.y : linked_.goal_cell.x - cell.x;
-    if (-1 <= aside && aside <= 1) {
+    const int across = d.x != 0 ? linked_.goal_cell.y - cell.y : linked_.goal_cell.x - cell.x;
+    if (-1 <= across && across <= 1) {
       for (const auto& [goal, exit] : linked_.goals) {
         const Cell to = goal - cell;
         const int along = to.x * d.x + to.y * d.y;
         const bool ahead = (d.x != 0 ? to.y : to.x) == 0 && along > 0 && along <= std::abs(stop);
-        if (ahead) meet_goal(goal, g + along * straight_cost + exit, parent);
+        if (ahead) improve_goal(goal, g + along * straight_cost + exit, parent);
       }
     }
     if (stop > 0) {
-      if (noted_ == reached_.size()) reach_noted(parent);
-      note({cell.x + stop * d.x, cell.y + stop * d.y}, g + stop * straight_cost, Step);
+      if (pending_count_ == pending_.size()) label_pending(parent);
+      queue_label({cell.x + stop * d.x, cell.y + stop * d.y}, g + stop * straight_cost, Step);
     }
   }
 
-  /// Leaves the grid for the goal at a cell reached from `parent`, if that is possible.
-  void leave_at(Cell cell, Cost g, Cell parent) {
+  /// Records a path that leaves the grid to the goal at a cell reached from `parent`, if the cell
+  /// has a link.
+  void try_exit(Cell cell, Cost g, Cell parent) {
     if (!linked_.near_goal(cell)) return;
-    if (const auto exit = linked_.exit_cost(cell)) meet_goal(cell, g + *exit, parent);
+    if (const auto exit = linked_.exit_cost(cell)) improve_goal(cell, g + *exit, parent);
   }
 
-  void meet_goal(Cell goal, Cost total, Cell parent) {
+  void improve_goal(Cell goal, Cost total, Cell parent) {
     if (total >= best_) return;
     best_ = total;
     best_goal_ = goal;
     best_parent_ = parent;
   }
 
-  /// Notes that a jump reaches a cell. Labels are far away in memory, so they are asked for now and
-  /// looked at when the jumps of an expansion are done.
-  TUTAVIA_ALWAYS_INLINE void note(Cell cell, Cost g, std::size_t arrival) {
+  /// Queues a cell reached by a jump. Labels are far away in memory, so they are prefetched now and
+  /// read after all jumps of an expansion.
+  TUTAVIA_ALWAYS_INLINE void queue_label(Cell cell, Cost g, std::size_t arrival) {
     const auto index = static_cast<std::uint32_t>(grid_.index(cell));
     labels_.prefetch(index);
-    reached_[noted_++] = {labels_.words().word(g, arrival), cell, index};
+    pending_[pending_count_++] = {labels_.words().word(g, arrival), cell, index};
   }
 
-  /// Labels the noted cells, which are reached from `parent`.
-  void reach_noted(Cell parent) {
-    for (Reached& to : std::span(reached_.data(), noted_)) {
+  /// Labels the queued cells, which are reached from `parent`.
+  void label_pending(Cell parent) {
+    for (Pending& to : std::span(pending_.data(), pending_count_)) {
       auto from = static_cast<std::uint32_t>(grid_.index(parent));
       const bool first = LabelWords::arrival(to.label) == no_step;
       if (LookBackGuide<Guide> && !first) from = look_back(to, from);
@@ -192,21 +193,21 @@ class JumpSearch {
       const Cost f = labels_.words().g(to.label) + estimate(to.cell);
       if (f >= best_) continue;
       context_.count_generated(to.cell);
-      open_.push(f, to.index, LabelWords::note(to.label));
+      open_.push(f, to.index, LabelWords::tag(to.label));
       if constexpr (PrefetchingScanner<Scanner>) scanner_.prefetch(to.cell);
     }
-    noted_ = 0;
+    pending_count_ = 0;
   }
 
-  struct Reached {
+  struct Pending {
     std::uint64_t label;  // see LabelWords
     Cell cell;
     std::uint32_t index;
   };
 
-  /// Shortens the way to a cell by a straight line from the parent of `parent`, or else from
-  /// `parent` itself; returns where it begins.
-  std::uint32_t look_back(Reached& to, std::uint32_t parent) {
+  /// Replaces the path to a cell by a straight line from the parent of `parent`, or else from
+  /// `parent` itself. Returns the start of that line.
+  std::uint32_t look_back(Pending& to, std::uint32_t parent) {
     for (const std::uint32_t from : {labels_[parent].parent, parent}) {
       const Cell cell = grid_.cell(from);
       if (!sees(cell, to.cell)) continue;
@@ -235,11 +236,11 @@ class JumpSearch {
   Open& open_;
   Cost best_ = none;
   Cell best_goal_{}, best_parent_{};
-  std::array<Reached, 32> reached_;
-  std::size_t noted_ = 0;
+  std::array<Pending, 32> pending_;
+  std::size_t pending_count_ = 0;
 };
 
-/// A JumpSearch and what comes before and after it; see `jump_search`.
+/// Runs a JumpSearch within `search_grid`; see `jump_search`.
 template <JumpScanner Scanner, std::invocable<const GridQuery&> MakeGuide, OpenList Open,
           std::invocable<std::vector<Cell>&> Finish>
 struct GuidedJumpSearch {
@@ -259,8 +260,8 @@ struct GuidedJumpSearch {
   }
 };
 
-/// Jump point search of any kind. `make_guide(linked)` makes the guide, `finish(cells)` may change
-/// the path found.
+/// Jump point search with any guide. `make_guide(linked)` creates the guide, `finish(cells)` may
+/// change the path found.
 template <GridSpace S, JumpScanner Scanner, std::invocable<const GridQuery&> MakeGuide,
           OpenList Open, Observer O, std::invocable<std::vector<Cell>&> Finish>
 Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
@@ -271,7 +272,7 @@ Expected<Route, Failure> jump_search(const S& space, const Query& query, const S
   return search_grid(space, query, observer, search);
 }
 
-/// Jump point search proper.
+/// Plain jump point search.
 template <GridSpace S, JumpScanner Scanner, Observer O>
 Expected<Route, Failure> jump_search(const S& space, const Query& query, const Scanner& scanner,
                                      JumpScratch& scratch, O& observer) {

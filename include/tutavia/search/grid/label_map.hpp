@@ -10,22 +10,22 @@
 #include "tutavia/search/grid/grid_labels.hpp"
 
 /// \file
-/// LabelMap: what a search knows about the few cells it stops at.
+/// LabelMap: a hash map of the labels of jump points.
 
 namespace tutavia::detail {
 
-/// Labels of jump points, found by the cell's index: open addressing with linear probing (Knuth
-/// 1998, section 6.4, algorithm L). The labels are words as in GridLabels, so labels of earlier
-/// queries count as empty places and nothing is cleared between queries.
+/// Labels of jump points by cell index. Open addressing with linear probing (Knuth 1998, section
+/// 6.4, algorithm L). The labels are words as in GridLabels: labels of earlier queries count as
+/// empty slots, so nothing is cleared between queries.
 class LabelMap {
  public:
   struct Label {
     std::uint64_t word;
     std::uint32_t cell;
-    std::uint32_t parent;  ///< index of the cell that the jump came from; itself for a first cell
+    std::uint32_t parent;  ///< index of the cell where the jump started; itself for a start cell
   };
 
-  /// Forgets all labels.
+  /// Invalidates all labels.
   void reset() {
     if (query_ == LabelWords::last_query) {
       labels_.assign(labels_.size(), Label{});
@@ -37,10 +37,11 @@ class LabelMap {
     mask_ = labels_.size() - 1;
   }
 
-  /// Notes a way to a cell (see LabelWords::word), if it is the first or a better one.
+  /// Records a path to a cell (see LabelWords::word) if it is the first or a cheaper one; returns
+  /// whether it is.
   bool improve(std::uint32_t cell, std::uint64_t word, std::uint32_t parent) {
     Label& label = find(cell);
-    if (!LabelWords::is_better(word, label.word)) return false;  // an empty place loses
+    if (!LabelWords::is_better(word, label.word)) return false;  // an empty slot loses
     size_ += words_.is_current(label.word) ? 0 : 1;
     label = {word, cell, parent};
     if (4 * size_ > 3 * mask_) grow();
@@ -52,21 +53,21 @@ class LabelMap {
 
   const LabelWords& words() const { return words_; }
 
-  /// The label of a cell is going to be looked at.
-  void prefetch(std::uint32_t cell) const { tutavia::detail::prefetch(&labels_[place(cell)]); }
+  /// Prefetches the label of a cell.
+  void prefetch(std::uint32_t cell) const { tutavia::detail::prefetch(&labels_[home_slot(cell)]); }
 
   std::size_t memory() const { return labels_.size() * sizeof(Label); }
   std::size_t size() const { return size_; }
 
  private:
-  /// Where the search for a cell's label begins.
-  std::size_t place(std::uint32_t cell) const {
+  /// The slot at which probing for a cell starts.
+  std::size_t home_slot(std::uint32_t cell) const {
     return (cell * std::uint64_t{0x9E3779B97F4A7C15u}) >> 32 & mask_;
   }
 
-  /// The label of a cell, or the empty place for it.
+  /// The label of a cell, or the empty slot for it.
   Label& find(std::uint32_t cell) {
-    std::size_t i = place(cell);
+    std::size_t i = home_slot(cell);
     while (labels_[i].cell != cell && words_.is_current(labels_[i].word)) i = (i + 1) & mask_;
     return labels_[i];
   }

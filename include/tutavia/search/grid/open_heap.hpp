@@ -5,12 +5,12 @@
 #include <vector>
 
 /// \file
-/// OpenHeap: what waits in a search, the best first.
+/// OpenHeap: the open list of a search as a binary heap.
 
 namespace tutavia::detail {
 
-/// A binary heap of entries; `a < b` says that entry a is worse than b. The order never depends on
-/// the heap where no two entries are equal. Keeps its memory from one query to the next.
+/// A binary heap of entries; `a < b` means that entry a is worse than b. If no two entries are
+/// equal, the order does not depend on the heap. Keeps its memory from one query to the next.
 template <class Entry>
 class OpenHeap {
  public:
@@ -24,7 +24,7 @@ class OpenHeap {
 
   /// The best entry. \pre not empty
   const Entry& top() const { return entries_.front(); }
-  /// Takes the best entry. \pre not empty
+  /// Removes and returns the best entry. \pre not empty
   Entry pop() {
     std::pop_heap(entries_.begin(), entries_.end());
     const Entry entry = entries_.back();

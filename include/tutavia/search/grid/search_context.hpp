@@ -14,12 +14,12 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// SearchContext: what one search is given, and what it counts.
+/// SearchContext: the space, query, observer and statistics of one search.
 
 namespace tutavia::detail {
 
-/// One query on a space, who observes its search and what the search has cost. A place is a point,
-/// or a cell of a space with a grid.
+/// The inputs of one search and its statistics. A node is given as a point, or as a cell of a space
+/// with a grid.
 template <FreeSpace S, Observer O>
 struct SearchContext {
   const S& space;
@@ -27,24 +27,24 @@ struct SearchContext {
   O& observer;
   Statistics statistics{};
 
-  /// To be asked before every expansion; the clock is read once in `every` of them. Errors: what
-  /// the budget says.
+  /// Call before every expansion; reads the clock once in `every` expansions. Errors: those of the
+  /// budget.
   Expected<void, Failure> check_budget(std::uint64_t every = 256) const {
     return detail::check_budget(query.budget, statistics.expanded, every);
   }
 
-  /// Counts a node that is expanded.
-  template <class Place>
-  void count_expanded(const Place& place) {
+  /// Counts an expanded node.
+  template <class Node>
+  void count_expanded(const Node& node) {
     ++statistics.expanded;
-    if constexpr (is_observed) observer.expanded(point(place));
+    if constexpr (is_observed) observer.expanded(point(node));
   }
 
-  /// Counts a node that is labelled, or labelled anew.
-  template <class Place>
-  void count_generated(const Place& place) {
+  /// Counts a node that is labelled, for the first time or again.
+  template <class Node>
+  void count_generated(const Node& node) {
     ++statistics.generated;
-    if constexpr (is_observed) observer.generated(point(place));
+    if constexpr (is_observed) observer.generated(point(node));
   }
 
  private:

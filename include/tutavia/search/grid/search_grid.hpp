@@ -16,31 +16,31 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// search_grid: what every search on a grid does around its core.
+/// search_grid: the frame of every search on a grid.
 
 namespace tutavia::detail {
 
-/// A path that a search has found on a grid.
+/// A path found on a grid.
 struct GridPath {
-  /// From the goal's cell back to the start's, in memory of the search. The straight line from each
-  /// to the next is free.
+  /// From the goal's cell back to the start's, in memory of the search. The straight segments
+  /// between successive cells are free.
   std::span<const Cell> cells{};
-  std::optional<double> cost{};  ///< what the search minimised; none: the length of the route
+  std::optional<double> cost{};  ///< minimised cost; default: length of the route
 };
 
-/// The core of a search on a grid: `run(linked, context)` finds a path between the cells that start
-/// and goal are linked to.
+/// The core of a search on a grid: `run(linked, context)` finds a path between the cells to which
+/// start and goal are linked.
 template <class G, class S, class O>
 concept GridSearch = requires(const G& search, const GridQuery& linked,
                               SearchContext<S, O>& context) {
   { search.run(linked, context) } -> std::same_as<Expected<GridPath, Failure>>;
 };
 
-/// Searches a grid. Start and goal are linked to it; unless both are cells themselves, the straight
-/// segment between them may be tried first.
+/// Searches a grid. Start and goal are linked to it; unless both are cells, the straight segment
+/// between them may be tried first.
 ///
-/// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also where no cell around the
-/// point can be reached from it; `unreachable_at_resolution`; what the search says.
+/// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also if no cell around the
+/// point can be reached from it; `unreachable_at_resolution`; those of the search.
 template <LinkedSpace S, Observer O, GridSearch<S, O> Search>
 Expected<Route, Failure> search_grid(const S& space, const Query& query, O& observer,
                                      const Search& search,

@@ -26,7 +26,7 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// ThetaSearch: A* on a grid in which a cell's parent may be any cell that sees it.
+/// ThetaSearch: the search of Theta* and Lazy Theta*.
 
 namespace tutavia::detail {
 
@@ -35,7 +35,7 @@ class ThetaScratch {
  public:
   struct Label {
     double g;              ///< length of the path found, in cells
-    std::uint32_t parent;  ///< where its last segment begins
+    std::uint32_t parent;  ///< start of its last segment
     std::uint32_t stamp;
   };
 
@@ -55,7 +55,7 @@ class ThetaScratch {
   }
   void close(std::uint32_t node) { labels_[node].stamp |= 1; }
 
-  WideBucketQueueOf<6> open;  // closed cells stay closed: their order matters
+  WideBucketQueueOf<6> open;  // narrow: closed cells stay closed, so order matters
   std::vector<Cell> cells;
 
  private:
@@ -65,7 +65,7 @@ class ThetaScratch {
   std::uint32_t query_ = 0;
 };
 
-/// Gives the steps that lead from a node of the space's grid, by its index.
+/// A function that gives the legal steps from a node of the space's grid, by its index.
 template <LineOfSightSpace S>
 auto successors_of(const S& space) {
   if constexpr (GridSpace<S>) {
@@ -76,14 +76,14 @@ auto successors_of(const S& space) {
   }
 }
 
-/// When a search looks whether a node is seen by its parent.
+/// When a search tests the line of sight between a node and its parent.
 enum class SightTest {
   at_once,       ///< when the node is reached: Theta*
-  at_expansion,  ///< when its turn comes: Lazy Theta*
+  at_expansion,  ///< when the node is expanded: Lazy Theta*
 };
 
-/// One query of Theta* or Lazy Theta*. Nodes are the cells by index, and the query's start and goal
-/// where they are not cells themselves.
+/// One query of Theta* or Lazy Theta*. Nodes are cell indices, plus the query's start and goal if
+/// they are not cells.
 template <SightTest Test, LineOfSightSpace S, Observer O>
 class ThetaSearch {
  public:
@@ -98,18 +98,18 @@ class ThetaSearch {
         cells_(static_cast<std::uint32_t>(space_.grid().index_count())),
         start_(linked.starts.is_cell() ? index(linked.starts.begin()->cell) : cells_),
         goal_(linked.goals.is_cell() ? index(linked.goals.begin()->cell) : cells_ + 1),
-        start_place_(in_cells(context.query.start)),
-        goal_place_(in_cells(context.query.goal)) {}
+        start_position_(in_cells(context.query.start)),
+        goal_position_(in_cells(context.query.goal)) {}
 
   Expected<void, Failure> run() {
     labels_.reset(std::size_t{cells_} + 2);
     labels_.open.reset(0);
-    reach(start_, 0, start_);
+    push(start_, 0, start_);
     while (!labels_.open.empty()) {
       labels_.open.seek_first();
       const std::uint32_t node = labels_.open.pop().node;
       if (labels_.closed(node)) continue;
-      if (is_lazy && !settle(node)) continue;
+      if (is_lazy && !resolve_parent(node)) continue;
       if (node == goal_) return {};
       if (auto within = context_.check_budget(); !within) return within;
       expand(node);
@@ -117,7 +117,8 @@ class ThetaSearch {
     return fail(PlanError::unreachable);
   }
 
-  /// The cells where the path bends, from the goal back to the start; those two only as cells.
+  /// The cells at which the path bends, from the goal back to the start. Start and goal are
+  /// included only if they are cells.
   void trace(std::vector<Cell>& cells) const {
     cells.clear();
     for (std::uint32_t node = goal_;; node = labels_[node].parent) {
@@ -138,7 +139,7 @@ class ThetaSearch {
     if (node < cells_ && goal_ >= cells_ && linked_.exit_cost(grid_.cell(node))) relax(node, goal_);
   }
 
-  /// All nodes that one step or link leads to, the goal's links aside.
+  /// Visits all nodes reached by one step or link, except by the goal's links.
   template <class Visit>
   void for_each_neighbour(std::uint32_t node, const Visit& visit) const {
     if (node >= cells_) {
@@ -153,37 +154,38 @@ class ThetaSearch {
     }
   }
 
-  /// A way from `node` to its neighbour `next`, straight from the parent of `node` where that sees
-  /// it.
+  /// Relaxes the path from `node` to its neighbour `next`, or the straight one from the parent of
+  /// `node` if that sees `next`.
   void relax(std::uint32_t node, std::uint32_t next) {
     const double known =
         labels_.reached(next) ? labels_[next].g : std::numeric_limits<double>::infinity();
     const std::uint32_t parent = labels_[node].parent;
     const double straight = labels_[parent].g + length(parent, next);
-    if (straight >= known) return;  // and so, by the triangle inequality, is the way by `node`
+    if (straight >= known) return;  // so is the path by `node`: the triangle inequality
     if (is_lazy || parent == node || sees(parent, next)) {
-      reach(next, straight, parent);
+      push(next, straight, parent);
     } else if (const double bent = labels_[node].g + length(node, next); bent < known) {
-      reach(next, bent, node);
+      push(next, bent, node);
     }
   }
 
-  void reach(std::uint32_t reached, double g, std::uint32_t parent) {
-    context_.count_generated(point(reached));
-    labels_.set(reached, g, parent);
-    labels_.open.push(static_cast<Cost>((g + length(place(reached), goal_place_)) *
+  void push(std::uint32_t node, double g, std::uint32_t parent) {
+    context_.count_generated(point(node));
+    labels_.set(node, g, parent);
+    labels_.open.push(static_cast<Cost>((g + length(position(node), goal_position_)) *
                                         static_cast<double>(straight_cost)),
-                      reached, 0);
+                      node, 0);
   }
 
-  /// Lazy Theta*: a node whose parent does not see it goes by the best of its closed neighbours,
-  /// and waits for its turn again; false then. (As published it is expanded at once, out of order;
-  /// paths on maps full of obstacles are up to 0.4 % longer so.)
-  bool settle(std::uint32_t node) {
+  /// Lazy Theta*: if its parent does not see a node, the node gets the best of its closed
+  /// neighbours as parent and is pushed again. Returns whether the node can be expanded now. (The
+  /// published algorithm expands it at once, out of order; on maps full of obstacles its paths are
+  /// up to 0.4 % longer.)
+  bool resolve_parent(std::uint32_t node) {
     if (node == start_ || sees(labels_[node].parent, node)) return true;
     double best = std::numeric_limits<double>::infinity();
     std::uint32_t parent = node;
-    const auto offer = [&](std::uint32_t neighbour) {
+    const auto try_parent = [&](std::uint32_t neighbour) {
       if (!labels_.closed(neighbour)) return;
       const double g = labels_[neighbour].g + length(neighbour, node);
       if (g < best) {
@@ -191,13 +193,13 @@ class ThetaSearch {
         parent = neighbour;
       }
     };
-    for_each_neighbour(node, offer);
+    for_each_neighbour(node, try_parent);
     if (node < cells_ && start_ >= cells_ && linked_.starts.cost_of(grid_.cell(node))) {
-      offer(start_);
+      try_parent(start_);
     }
-    // A step that the grid allows, whether it counts as a line of sight or not.
+    // The grid allows this step, even if it does not count as a line of sight.
     if (parent == labels_[node].parent) return true;
-    reach(node, best, parent);
+    push(node, best, parent);
     return false;
   }
 
@@ -211,11 +213,11 @@ class ThetaSearch {
     double x, y;
   };
   CellCoords in_cells(const Point& p) const {
-    const Point place = (p - frame_.origin) / frame_.resolution;
-    return {place.x(), place.y()};
+    const Point offset = (p - frame_.origin) / frame_.resolution;
+    return {offset.x(), offset.y()};
   }
-  CellCoords place(std::uint32_t node) const {
-    if (node >= cells_) return node == cells_ ? start_place_ : goal_place_;
+  CellCoords position(std::uint32_t node) const {
+    if (node >= cells_) return node == cells_ ? start_position_ : goal_position_;
     const Cell cell = grid_.cell(node);
     return {static_cast<double>(cell.x), static_cast<double>(cell.y)};
   }
@@ -223,7 +225,7 @@ class ThetaSearch {
     const double dx = a.x - b.x, dy = a.y - b.y;
     return std::sqrt(dx * dx + dy * dy);
   }
-  double length(std::uint32_t a, std::uint32_t b) const { return length(place(a), place(b)); }
+  double length(std::uint32_t a, std::uint32_t b) const { return length(position(a), position(b)); }
 
   Point point(std::uint32_t node) const {
     if (node < cells_) return frame_.point(grid_.cell(node));
@@ -240,10 +242,10 @@ class ThetaSearch {
   ThetaScratch& labels_;
   std::uint32_t cells_;
   std::uint32_t start_, goal_;
-  CellCoords start_place_, goal_place_;
+  CellCoords start_position_, goal_position_;
 };
 
-/// A ThetaSearch for search_grid.
+/// Runs a ThetaSearch within `search_grid`.
 template <SightTest Test>
 struct ThetaGridSearch {
   ThetaScratch& scratch;
