@@ -12,15 +12,15 @@
 #include "tutavia/grid/cell.hpp"
 
 /// \file
-/// ConstrainedDelaunay: triangles between lattice points, in integers.
+/// ConstrainedDelaunay: an exact constrained Delaunay triangulation of lattice points.
 
 namespace tutavia::detail {
 
-/// A triangulation of lattice points within a rectangle, Delaunay but for the edges that it is told
-/// to have.
+/// A constrained Delaunay triangulation of lattice points within a rectangle.
 ///
-/// Half-edges 3k, 3k + 1, 3k + 2 go counterclockwise around triangle k; the twin of a half-edge
-/// runs the other way along the neighbour. Every decision is exact.
+/// Half-edges 3k, 3k + 1, 3k + 2 go counterclockwise around triangle k. The twin of a half-edge
+/// runs in the opposite direction along the neighbour. All decisions are exact.
+///
 /// Sources: Lawson 1977, "Software for C1 surface interpolation" (insertion and flips); Sloan 1993,
 /// "A fast algorithm for generating constrained Delaunay triangulations" (edges).
 class ConstrainedDelaunay {
@@ -29,28 +29,28 @@ class ConstrainedDelaunay {
   static constexpr Index none = std::numeric_limits<Index>::max();
   static constexpr int max_side = 1 << 15;  ///< so that products of four differences fit 64 bits
 
-  /// The rectangle between two corners, as two triangles.
-  /// \pre its sides are between 1 and `max_side`
+  /// The rectangle between two corners, as two triangles. \pre its sides are between 1 and
+  /// `max_side`
   ConstrainedDelaunay(Cell low, Cell high)
       : points_{low, {high.x, low.y}, high, {low.x, high.y}},
         origin_{0, 1, 2, 0, 2, 3},
         twin_{none, none, 3, 2, none, none},
         fixed_(6, 0),
-        leaving_{0, 1, 2, 5} {
+        outgoing_{0, 1, 2, 5} {
     TUTAVIA_ASSERT(low.x < high.x && high.x - low.x <= max_side);
     TUTAVIA_ASSERT(low.y < high.y && high.y - low.y <= max_side);
   }
 
-  /// Adds a point and gives its number; a known one keeps its own. Quick where points come in an
-  /// order that keeps neighbours together.
-  /// \pre it lies inside the rectangle, and no edge was fixed yet
+  /// Adds a point and returns its number; a point added before keeps its number. Fast if successive
+  /// points are near each other. \pre the point lies inside the rectangle, and no edge was fixed
+  /// yet
   Index insert(Cell p);
 
-  /// Makes sure of the edge between two points that were inserted, for good.
-  /// \pre no third point lies on it and no fixed edge crosses it
+  /// Adds the edge between two inserted points and fixes it. \pre no third point lies on it and no
+  /// fixed edge crosses it
   void fix(Index a, Index b);
 
-  /// Flips edges until all are Delaunay again that are not fixed.
+  /// Flips edges until all that are not fixed are Delaunay again.
   void restore() {
     for (Index e = 0; e < half_edge_count(); ++e) suspects_.push_back(e);
     legalize();
@@ -74,7 +74,7 @@ class ConstrainedDelaunay {
     origin_[e] = from;
     twin_[e] = twin;
     fixed_[e] = fixed;
-    leaving_[from] = e;
+    outgoing_[from] = e;
     if (twin != none) twin_[twin] = e;
   }
 
@@ -85,15 +85,15 @@ class ConstrainedDelaunay {
   void legalize();
 
   std::vector<Cell> points_;
-  std::vector<Index> origin_, twin_;  // by half-edge
+  std::vector<Index> origin_, twin_;  // per half-edge
   std::vector<char> fixed_;
-  std::vector<Index> leaving_;   // by point, a half-edge from it
-  std::vector<Index> suspects_;  // half-edges that may have to be flipped
+  std::vector<Index> outgoing_;  // per point, a half-edge from it
+  std::vector<Index> suspects_;  // half-edges to test for a flip
 };
 
-/// A side of a triangle that holds the point; the side that it lies on, if it lies on one.
+/// A side of a triangle that contains the point; the side on which it lies, if it lies on one.
 inline ConstrainedDelaunay::Index ConstrainedDelaunay::locate(Cell p) const {
-  Index e = leaving_.back();  // of the point before
+  Index e = outgoing_.back();  // from the previous point
   for (int sides = 0; sides < 3;) {
     if (tutavia::detail::turn(from(e), to(e), p) < 0) {
       e = twin_[e];
@@ -114,10 +114,11 @@ inline ConstrainedDelaunay::Index ConstrainedDelaunay::insert(Cell p) {
   }
   const auto point = static_cast<Index>(points_.size());
   points_.push_back(p);
-  leaving_.push_back(none);
+  outgoing_.push_back(none);
   const bool on_side = tutavia::detail::turn(from(ab), to(ab), p) == 0;
 
-  // Three triangles for one. On a side, one of them is flat until that side is flipped.
+  // Replaces the triangle by three. If the point lies on a side, one of them is flat until that
+  // side is flipped.
   const Index a = origin_[ab], b = origin_[bc], c = origin_[ca];
   const Index beyond_bc = twin_[bc], beyond_ca = twin_[ca];
   const Index first = half_edge_count();
@@ -142,17 +143,17 @@ inline ConstrainedDelaunay::Index ConstrainedDelaunay::insert(Cell p) {
   return point;
 }
 
-/// The half-edge from one point to another, if there is one.
+/// The half-edge from one point to another; `none` if there is none.
 inline ConstrainedDelaunay::Index ConstrainedDelaunay::find(Index a, Index b) const {
-  const Index begin = leaving_[a];
-  Index e = begin;
+  const Index first = outgoing_[a];
+  Index e = first;
   do {
     if (origin_[next(e)] == b) return e;
     e = twin_[previous(e)];
-  } while (e != begin && e != none);
-  if (e == begin) return none;
-  // Around a corner of the rectangle, the other way as well.
-  for (e = twin_[begin]; e != none; e = twin_[e]) {
+  } while (e != first && e != none);
+  if (e == first) return none;
+  // At a corner of the rectangle, search in the other direction, too.
+  for (e = twin_[first]; e != none; e = twin_[e]) {
     e = next(e);
     if (origin_[next(e)] == b) return e;
   }
@@ -176,8 +177,8 @@ inline void ConstrainedDelaunay::flip(Index e) {
   set(previous(t), q, beyond_qr, fixed_qr);
 }
 
-/// Whether the angles opposite an edge sum to more than a half turn: then the circle around either
-/// triangle holds the other one's apex.
+/// Whether the angles opposite an edge sum to more than pi. Then the circumcircle of either
+/// triangle contains the other one's apex.
 inline bool ConstrainedDelaunay::is_illegal(Index e) const {
   const Cell p = from(e), q = to(e), r = points_[apex(e)], s = points_[apex(twin_[e])];
   const auto dot = [](Cell o, Cell a, Cell b) {
@@ -205,7 +206,7 @@ inline void ConstrainedDelaunay::fix(Index a, Index b) {
   if (edge == none) {
     // All edges that cross it, from a to b.
     std::deque<std::pair<Index, Index>> crossing;
-    Index e = leaving_[a];
+    Index e = outgoing_[a];
     while (!(turn(a, b, origin_[next(e)]) < 0 && turn(a, b, apex(e)) > 0)) e = twin_[previous(e)];
     for (e = next(e);;) {
       crossing.emplace_back(origin_[e], origin_[next(e)]);
@@ -214,7 +215,7 @@ inline void ConstrainedDelaunay::fix(Index a, Index b) {
       TUTAVIA_ASSERT(turn(a, b, apex(e)) != 0);
       e = turn(a, b, apex(e)) < 0 ? previous(e) : next(e);
     }
-    // Each is flipped where that can be done, until none crosses.
+    // Flips each edge when it can be flipped, until none crosses.
     while (!crossing.empty()) {
       const auto [p, q] = crossing.front();
       crossing.pop_front();

@@ -15,14 +15,14 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// CornerGraph: the corners of a CellSpace's cells as nodes.
+/// CornerGraph: a space whose nodes are the corners of a CellSpace's cells.
 
 namespace tutavia::detail {
 
 /// The free space of a point among blocked cells, with nodes at the corners of free cells, by the
-/// rules of the Grid-Based Path Planning Competition: a path may slide along blocked cells and
-/// touch their corners, but not pass between two that share a side or only a corner. A view: the
-/// cells must outlive it.
+/// rules of the Grid-Based Path Planning Competition. A path may slide along blocked cells and
+/// touch their corners, but may not pass between two that share a side or only a corner. A view:
+/// the cells must outlive it.
 class CornerGraph {
  public:
   /// \pre the safety radius is 0
@@ -31,17 +31,17 @@ class CornerGraph {
 
   /// The corners that a path may pass.
   const OccupancyGrid& grid() const { return cells_->corners(); }
-  /// Of the corners: that of cell (0, 0) is the origin.
+  /// The frame of the corners; its origin is the corner of cell (0, 0).
   const Frame& frame() const { return frame_; }
   const Box& bounds() const { return cells_->bounds(); }
   bool is_free(const Point& p) const { return cells_->is_free(p); }
 
-  /// The steps along and through free cells from a corner in `grid()`, by its index there.
+  /// The legal steps along and through free cells from a corner in `grid()`, by its index there.
   StepSet successors(std::size_t index) const {
     static constexpr SuccessorTable all = successor_table(MovementRule::allow);
     const CornerCells around(cells_->grid(), grid().cell(index));
     const std::array sides{around.se, around.ne, around.nw,
-                           around.sw};  // before each straight step
+                           around.sw};  // the cell clockwise of each straight step
     unsigned free = 0;
     for (unsigned i = 0; i < 4; ++i) {
       const bool here = sides[i], next = sides[(i + 1) % 4];
@@ -51,7 +51,7 @@ class CornerGraph {
     return static_cast<StepSet>(free & all[grid().view().neighbourhood(index)]);
   }
 
-  /// Whether the straight way between two corners is free.
+  /// Whether the straight segment between two corners is free.
   bool line_of_sight(Cell a, Cell b) const {
     return corner_line_of_sight(cells_->grid().view(), cells_->columns().view(), a, b);
   }
@@ -60,7 +60,8 @@ class CornerGraph {
     return cells_->segment_free(p, q) && !passes_double_corner(p, q);
   }
 
-  /// Joins a point to the corners of the cells that hold it; to the corner alone where it is one.
+  /// Links a point to the corners of the cells that contain it; a point on a corner is linked to
+  /// that corner alone.
   EndpointLinks links(const Point& p) const {
     EndpointLinks result;
     if (!bounds().contains(p)) return result;
@@ -90,7 +91,7 @@ class CornerGraph {
  private:
   /// Whether a corner where two blocked cells touch lies between the ends of a free segment.
   bool passes_double_corner(const Point& p, const Point& q) const {
-    // In cells, along the axis that it follows more; `near` is more than all rounding.
+    // Coordinates in cells, along the segment's main axis; `near` exceeds all rounding.
     const Point a = (p - frame_.origin) / frame_.resolution;
     const Point b = (q - frame_.origin) / frame_.resolution;
     const bool steep = std::abs(b.y() - a.y()) > std::abs(b.x() - a.x());

@@ -20,16 +20,17 @@
 #include "tutavia/space/cell_space.hpp"
 
 /// \file
-/// IntervalExpansion: the successors of a node of an any-angle search.
+/// IntervalExpansion: the successors of a search node of Polyanya.
 
 namespace tutavia::detail {
 
-/// The nodes of one query over a decomposition of the free cells into convex pieces.
+/// The search nodes of one query over a decomposition of the free cells into convex pieces.
 ///
-/// A node is a part of a side that is in view of a root, the last bend of the path. Its successors
-/// are parts of the other sides of the piece beyond: observable ones between the two rays that
-/// bound the root's view, non-observable ones behind the rays, with a new root at an end of the
-/// side, and collinear ones where the root lies on the line of the side.
+/// A node is a part of a side that is visible from a root, the last bend of the path. Its
+/// successors are parts of the other sides of the piece beyond. Observable successors lie between
+/// the two rays that bound the root's view. Non-observable successors lie outside the rays and have
+/// a new root at an end of the side. Collinear successors arise if the root lies on the line of the
+/// side.
 template <ConvexPieces Pieces, Observer O>
 class IntervalExpansion {
  public:
@@ -46,7 +47,8 @@ class IntervalExpansion {
         stats_(stats),
         geometry_(space, query) {}
 
-  /// Begins a query: adds the successors of the start, all sides of the pieces that hold it.
+  /// Starts a query: adds the successors of the start, which are all sides of the pieces that
+  /// contain it.
   void start() {
     scratch_.reset(geometry_.corners(), dead_end_limit());
     for_each_piece_at(query_.goal, [&](Piece piece) {
@@ -57,23 +59,23 @@ class IntervalExpansion {
     for_each_piece_at(query_.start, [&](Piece piece) {
       const Opened opened = pieces_.open(piece);
       if (holds_goal(opened)) {
-        offer_goal(geometry_.length(geometry_.start(), geometry_.goal()), at_start);
+        improve_goal(geometry_.length(geometry_.start(), geometry_.goal()), at_start);
       }
       pieces_.for_each_exit(opened, [&](Cell right, Cell left, Piece beyond) {
-        // Sides through the start lead to pieces that hold it as well.
+        // Sides through the start lead to pieces that contain it as well.
         if (geometry_.on_side(query_.start, right, left)) return;
         add_successor(at_start, 0, right, left, right, left, beyond);
       });
     });
   }
 
-  /// Whether a shorter path to the root was found since.
+  /// Whether a shorter path to the root has been found since the node was generated.
   bool is_stale(const Node& node) const {
     return node.root != at_start &&
            scratch_.root(geometry_.id(node.root)).g * (1 + tolerance) < node.g;
   }
 
-  /// Adds a node's successors to those of the scratch.
+  /// Appends a node's successors to those in the scratch.
   void expand(const Node& node) {
     ++stats_.expanded;
     if constexpr (!std::same_as<O, NoObserver>) {
@@ -87,7 +89,7 @@ class IntervalExpansion {
     }
   }
 
-  /// Length of the shortest path to the goal so far, infinite where there is none [cells].
+  /// Length of the shortest path to the goal so far, infinite if there is none [cells].
   double best() const { return best_; }
   /// The last bend of that path.
   Cell best_root() const { return best_root_; }
@@ -98,7 +100,7 @@ class IntervalExpansion {
   using Opened = decltype(std::declval<const Pieces&>().open(Piece{}));
   using Turn = IntervalGeometry::Turn;
   static constexpr Cell at_start = IntervalGeometry::at_start;
-  static constexpr double tolerance = 1e-13;  // lengths as equal as rounding lets them be
+  static constexpr double tolerance = 1e-13;  // relative; closer lengths count as equal
 
   std::size_t dead_end_limit() const {
     if constexpr (PiecesWithDeadEnds<Pieces>) {
@@ -108,7 +110,7 @@ class IntervalExpansion {
     }
   }
 
-  /// Marks the dead ends from a piece to where they fork.
+  /// Marks the dead ends from a piece to where they branch off.
   void mark_passage([[maybe_unused]] Piece piece) {
     if constexpr (PiecesWithDeadEnds<Pieces>) {
       while (pieces_.is_dead_end(piece) && !scratch_.is_passage(piece)) {
@@ -127,8 +129,8 @@ class IntervalExpansion {
     }
   }
 
-  /// The root lies on the line of the side: from the side's end that is nearest to it all of the
-  /// piece is in view, or from itself where it lies on the side.
+  /// The root lies on the line of the side. All of the piece is visible from the side's nearer end,
+  /// or from the root itself if it lies on the side.
   void expand_collinear(const Node& node, const Opened& opened) {
     Cell root = node.root;
     double g = node.g;
@@ -141,14 +143,14 @@ class IntervalExpansion {
       if (!reach_root(end, g, root)) return;
       root = end;
     }
-    if (holds_goal(opened)) offer_goal(g + distance_to_goal(root), root);
+    if (holds_goal(opened)) improve_goal(g + distance_to_goal(root), root);
     for_each_other_exit(node, opened, [&](Cell right, Cell left, Piece beyond) {
       add_successor(root, g, right, left, right, left, beyond);
     });
   }
 
-  /// The ends of a side at which a path may bend, and the length of the path to them; infinite
-  /// where it may not.
+  /// The ends of a side at which a path may bend, and the path's length at them; infinite if it may
+  /// not bend.
   struct Bends {
     bool right, left;
     double by_right, by_left;
@@ -162,33 +164,33 @@ class IntervalExpansion {
             left ? node.g + distance_to(node.root, node.left) : infinity};
   }
 
-  /// The root sees the piece between two rays; what lies behind them is in view from an end of the
-  /// side, where a path may bend there.
+  /// The root sees the piece between two rays. What lies outside them is visible from an end of the
+  /// side, if a path may bend there.
   void expand_observable(const Node& node, const Opened& opened) {
     const Bends bends = bends_of(node);
-    if (holds_goal(opened)) offer_goal_beyond(node, bends);
+    if (holds_goal(opened)) improve_goal_beyond(node, bends);
     for_each_other_exit(node, opened, [&](Cell right, Cell left, Piece beyond) {
       expand_exit(node, bends, right, left, beyond);
     });
   }
 
-  void offer_goal_beyond(const Node& node, const Bends& bends) {
+  void improve_goal_beyond(const Node& node, const Bends& bends) {
     const Point root = geometry_.point(node.root);
     if (orientation(root, space_.corner(node.right_ray), query_.goal) < 0) {
       if (bends.right && reach_root(node.right, bends.by_right, node.root)) {
-        offer_goal(bends.by_right + distance_to_goal(node.right), node.right);
+        improve_goal(bends.by_right + distance_to_goal(node.right), node.right);
       }
     } else if (orientation(root, space_.corner(node.left_ray), query_.goal) > 0) {
       if (bends.left && reach_root(node.left, bends.by_left, node.root)) {
-        offer_goal(bends.by_left + distance_to_goal(node.left), node.left);
+        improve_goal(bends.by_left + distance_to_goal(node.left), node.left);
       }
     } else {
-      offer_goal(node.g + distance_to_goal(node.root), node.root);
+      improve_goal(node.g + distance_to_goal(node.root), node.root);
     }
   }
 
-  /// Adds the successors on one side: an observable one and, to the right and left of it,
-  /// non-observable ones.
+  /// Adds the successors on one side: an observable one and non-observable ones to its right and
+  /// left.
   void expand_exit(const Node& node, const Bends& bends, Cell right, Cell left, Piece beyond) {
     const int right_of_right = geometry_.side_of(node.root, node.right_ray, right);
     const int left_of_right = geometry_.side_of(node.root, node.right_ray, left);
@@ -196,7 +198,7 @@ class IntervalExpansion {
     const int left_of_left = geometry_.side_of(node.root, node.left_ray, left);
     const bool on_ray =
         (right_of_right == 0 && left_of_right == 0) || (right_of_left == 0 && left_of_left == 0);
-    if (on_ray) {  // a path bends at its end
+    if (on_ray) {  // the side lies on a ray; a path bends at its end
       add_successor(node.root, node.g, right, left, right, left, beyond);
     }
     if ((right_of_right < 0 || left_of_right < 0) && bends.right &&
@@ -218,7 +220,8 @@ class IntervalExpansion {
     }
   }
 
-  /// Calls `visit(right, left, beyond)` for every exit of a piece but the one it was entered by.
+  /// Calls `visit(right, left, beyond)` for every exit of a piece except the one by which it was
+  /// entered.
   template <class Visit>
   void for_each_other_exit(const Node& node, const Opened& opened, const Visit& visit) const {
     pieces_.for_each_exit(opened, [&](Cell right, Cell left, Piece beyond) {
@@ -227,9 +230,10 @@ class IntervalExpansion {
     });
   }
 
-  /// Notes a path to a corner; false where another one is known that is as short. Of equal paths
-  /// the first will do: what lies behind the corner for another, the first one's parent has in
-  /// view, or the path is not taut. Without this, rows of aligned corners give each path 2^n times.
+  /// Records a path to a corner. Returns false if a path of at most this length is known. Ties keep
+  /// the first parent: anything visible only through the second is either already visible from the
+  /// first parent or not part of a taut path. Otherwise, rows of aligned corners would generate
+  /// each path 2^n times.
   bool reach_root(Cell corner, double g, Cell from) {
     const std::uint32_t root = geometry_.id(corner), parent = geometry_.id(from);
     if (const IntervalRoot* known = scratch_.find_root(root)) {
@@ -252,7 +256,7 @@ class IntervalExpansion {
     scratch_.successors.push_back(node);
   }
 
-  void offer_goal(double total, Cell root) {
+  void improve_goal(double total, Cell root) {
     if (total >= best_) return;
     best_ = total;
     best_root_ = root;
@@ -265,7 +269,7 @@ class IntervalExpansion {
     return geometry_.length(geometry_.position(root), geometry_.goal());
   }
 
-  /// Calls `visit(piece)` once for every piece that holds a point, on its border too.
+  /// Calls `visit(piece)` once for every piece that contains a point, also on its border.
   template <class Visit>
   void for_each_piece_at(const Point& p, const Visit& visit) const {
     const IntervalGeometry::CellPoint at = geometry_.in_cells(p);

@@ -15,22 +15,22 @@
 #include "tutavia/space/cell_space.hpp"
 
 /// \file
-/// IntervalGeometry: what roots see of sides, and how far they are from the goal.
+/// IntervalGeometry: visibility between roots and sides, and distance estimates.
 
 namespace tutavia::detail {
 
-/// Corners, roots and sides of one query. A root is a corner or the start, which may lie anywhere;
-/// what is in view is decided by exact arithmetic, lengths are rounded.
+/// The corners, roots and sides of one query. A root is a corner or the start, which may lie
+/// anywhere. Visibility is exact; lengths are rounded.
 class IntervalGeometry {
  public:
   enum class Turn { right, left };
-  /// Coordinates in cells from the map's lower left corner; rounded, so for lengths alone.
+  /// Coordinates in cells from the map's lower left corner. Rounded, so used for lengths only.
   struct CellPoint {
     double x, y;
   };
 
   static constexpr Cell at_start{std::numeric_limits<int>::min(),
-                                 std::numeric_limits<int>::min()};  // the root that is no corner
+                                 std::numeric_limits<int>::min()};  // the root at the start
 
   IntervalGeometry(const CellSpace& space, const Query& query)
       : space_(space),
@@ -41,9 +41,9 @@ class IntervalGeometry {
         start_(in_cells(query.start)),
         goal_(in_cells(query.goal)) {}
 
-  /// The number of corners, and the start's id.
+  /// The number of corners, which is also the start's id.
   std::uint32_t corners() const { return corners_; }
-  /// The number of a root, and the corner of a number.
+  /// The id of a root.
   std::uint32_t id(Cell root) const {
     if (root == at_start) return corners_;
     return static_cast<std::uint32_t>(root.y) * columns_ + static_cast<std::uint32_t>(root.x);
@@ -76,8 +76,8 @@ class IntervalGeometry {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   }
 
-  /// Length of the shortest path from the root through the visible part of the side to the goal; to
-  /// the goal's mirror image where root and goal lie on the same side of the line.
+  /// Length of the shortest path from the root through the visible part of the side to the goal. If
+  /// root and goal lie on the same side of the line, the goal is mirrored.
   double estimate(const IntervalNode& node) const {
     const CellPoint from = position(node.root);
     const CellPoint right = position(node.right), left = position(node.left);
@@ -87,9 +87,9 @@ class IntervalGeometry {
       const double twice = 2 * behind / (dx * dx + dy * dy);
       goal = {goal.x + twice * dy, goal.y - twice * dx};
     }
-    const auto by = [&](CellPoint end, CellPoint ray, bool is_end) {
-      // From a start off the lattice, where a ray cuts the side is known to rounding only; this is
-      // never too much.
+    const auto via = [&](CellPoint end, CellPoint ray, bool is_end) {
+      // From a start off the lattice, the intersection of a ray and the side is rounded; this bound
+      // never overestimates.
       if (!is_end && node.root == at_start) return length(from, goal);
       if (!is_end) {
         const double dx = ray.x - from.x, dy = ray.y - from.y;
@@ -100,8 +100,8 @@ class IntervalGeometry {
       return length(from, end) + length(end, goal);
     };
     const CellPoint right_ray = position(node.right_ray), left_ray = position(node.left_ray);
-    if (area(from, right_ray, goal) < 0) return by(right, right_ray, node.right == node.right_ray);
-    if (area(from, left_ray, goal) > 0) return by(left, left_ray, node.left == node.left_ray);
+    if (area(from, right_ray, goal) < 0) return via(right, right_ray, node.right == node.right_ray);
+    if (area(from, left_ray, goal) > 0) return via(left, left_ray, node.left == node.left_ray);
     return length(from, goal);
   }
 
@@ -111,7 +111,8 @@ class IntervalGeometry {
     return Segment{a, b}.box().contains(p) && orientation(a, b, p) == 0;
   }
 
-  /// Where a corner lies of the ray from a root through another: left is positive.
+  /// The side of the ray from a root through another corner on which a corner lies: left is
+  /// positive.
   TUTAVIA_ALWAYS_INLINE int side_of(Cell root, Cell ray, Cell corner) const {
     if (root == at_start) {
       return orientation(query_.start, space_.corner(ray), space_.corner(corner));
@@ -120,26 +121,26 @@ class IntervalGeometry {
     return (area > 0) - (area < 0);
   }
 
-  /// A point on the ray from a root through a corner, as far behind the corner: what lies beyond
-  /// that ray the root has in view itself. The ray from a start off the lattice holds no such
-  /// point; then it is `otherwise`, and all up to there is in view.
+  /// A point on the ray from a root through a corner, as far behind the corner as the root is
+  /// before it. Beyond that ray, the root's own view begins. For a start off the lattice there is
+  /// no such lattice point: returns `otherwise`, and everything up to it counts as visible.
   static Cell behind_on_ray(Cell root, Cell corner, Cell otherwise) {
     return root == at_start ? otherwise : corner + (corner - root);
   }
 
-  /// Whether a string from a root may turn at a corner: of the four cells around it only the one
-  /// that it would lie against is blocked.
+  /// Whether a taut path from a root may turn at a corner: of the four cells around it, only the
+  /// inner one is blocked.
   bool can_bend(Cell root, Cell corner, Turn turn) const {
     const auto sign = [](double x) { return (x > 0) - (x < 0); };
     const Point to = space_.corner(corner), from = point(root);
     const Cell d{sign(to.x() - from.x()), sign(to.y() - from.y())};
     const Cell across = turn == Turn::right ? Cell{d.y, -d.x} : Cell{-d.y, d.x};
-    const Cell against = d.x == 0 || d.y == 0 ? across - d : across;
+    const Cell inner = d.x == 0 || d.y == 0 ? across - d : across;
     const auto is_free = [&](int x, int y) {
       return cells_.is_free(corner + Cell{x > 0 ? 0 : -1, y > 0 ? 0 : -1});
     };
-    return !is_free(against.x, against.y) && is_free(-against.x, against.y) &&
-           is_free(against.x, -against.y) && is_free(-against.x, -against.y);
+    return !is_free(inner.x, inner.y) && is_free(-inner.x, inner.y) && is_free(inner.x, -inner.y) &&
+           is_free(-inner.x, -inner.y);
   }
 
  private:

@@ -15,17 +15,17 @@
 
 namespace tutavia::detail {
 
-/// A side through which a piece is to be entered, and the part of it that a root sees.
+/// A search node: a side through which a piece is entered, and the part of it that a root sees.
 struct IntervalNode {
-  double f = 0;                  ///< least length of a path by it [cells]
+  double f = 0;                  ///< lower bound on the length of paths through it [cells]
   double g = 0;                  ///< length of the path to the root [cells]
-  Cell root{};                   ///< the corner where the path bends last
+  Cell root{};                   ///< the last corner at which the path bends
   std::uint32_t piece = 0;       ///< the piece to be entered
-  Cell right{}, left{};          ///< the side's ends, as seen from the piece left behind
-  Cell right_ray{}, left_ray{};  ///< points on the rays from the root that bound its view of it
+  Cell right{}, left{};          ///< the side's ends, as seen from the previous piece
+  Cell right_ray{}, left_ray{};  ///< points on the rays from the root that bound its view
 };
 
-/// What is known of a corner at which paths bend.
+/// The label of a corner at which paths bend.
 struct IntervalRoot {
   double g;
   std::uint32_t parent;
@@ -45,7 +45,7 @@ class IntervalScratch {
     successors.clear();
   }
 
-  /// The root at a corner, or nullptr where no path bends yet.
+  /// The root at a corner; nullptr if no path bends there yet.
   const IntervalRoot* find_root(std::uint32_t corner) const { return roots_.find(corner); }
   /// \pre the corner was reached
   const IntervalRoot& root(std::uint32_t corner) const { return roots_[corner]; }
@@ -53,12 +53,12 @@ class IntervalScratch {
     roots_.set(corner, {g, parent, 0});
   }
 
-  /// Dead ends that the start or the goal lies in, or that lead there.
+  /// Whether a dead end contains the start or the goal, or leads to one that does.
   bool is_passage(std::size_t piece) const { return passages_.find(piece) != nullptr; }
   void set_passage(std::size_t piece) { passages_.set(piece, {}); }
 
   bool empty() const { return open_.empty(); }
-  /// Moves on to the nodes with the least f; a lower bound of it. \pre not empty
+  /// Selects the nodes with the least f and returns a lower bound on it. \pre not empty
   double seek_first() {
     least_ = open_.seek_first();
     return static_cast<double>(least_) / scale;
@@ -67,9 +67,9 @@ class IntervalScratch {
     open_.push(key(node), static_cast<std::uint32_t>(nodes_.size()), 0);
     nodes_.push_back(node);
   }
-  /// Whether a node, if it were pushed, would be popped at once.
+  /// Whether a node would be popped at once if it were pushed.
   bool is_next(const Node& node) const { return key(node) < least_ + WideBucketQueue::width; }
-  /// A node with about the least f. \pre `seek_first` was called after the last push
+  /// A node with approximately the least f. \pre `seek_first` was called after the last push
   const Node& pop() { return nodes_[open_.pop().node]; }
 
   std::vector<Node> successors;

@@ -12,13 +12,14 @@
 #include "tutavia/search/mesh/sides.hpp"
 
 /// \file
-/// MeshBuilder: from the walls of a grid to convex polygons.
+/// MeshBuilder: builds convex polygons from the walls of a grid.
 
 namespace tutavia::detail {
 
-/// Triangles between the corners of a grid's walls, with all walls among their sides.
+/// The constrained Delaunay triangulation of the corners of a grid's walls, with all walls as
+/// edges.
 inline ConstrainedDelaunay triangulate(const OccupancyGrid& grid, const std::vector<Wall>& walls) {
-  // Corners along Morton's curve, so that each is near the one before.
+  // Corners in Morton order, so that successive corners are near each other.
   struct Vertex {
     std::uint64_t key;
     Cell corner;
@@ -50,8 +51,8 @@ inline ConstrainedDelaunay triangulate(const OccupancyGrid& grid, const std::vec
   return triangles;
 }
 
-/// Merges the triangles of a grid's free cells while they stay convex: the longest sides that may
-/// go, go first. Polygons are rings of half-edges.
+/// Merges the triangles of a grid's free cells while the result stays convex, the longest removable
+/// sides first. Polygons are rings of half-edges.
 class MeshBuilder {
  public:
   MeshBuilder(const OccupancyGrid& grid, const std::vector<Wall>& walls)
@@ -64,7 +65,7 @@ class MeshBuilder {
     merge_convex();
   }
 
-  /// Calls `visit(ring)` with the vertices of every polygon, counterclockwise; once only.
+  /// Calls `visit(ring)` with the vertices of every polygon, counterclockwise. Call once only.
   template <class Visit>
   void collect_polygons(const Visit& visit) {
     std::vector<Cell> ring;
@@ -82,7 +83,7 @@ class MeshBuilder {
  private:
   using Index = ConstrainedDelaunay::Index;
 
-  /// Makes rings of the triangles, and marks those in free cells.
+  /// Initialises rings from the triangles and marks those in free cells.
   void mark_inside(const OccupancyGrid& grid) {
     for (Index e = 0; e < count_; ++e) {
       next_[e] = ConstrainedDelaunay::next(e);
@@ -121,7 +122,7 @@ class MeshBuilder {
   }
 
   ConstrainedDelaunay triangles_;
-  Index count_;                         // of half-edges
+  Index count_;                         // number of half-edges
   std::vector<Index> next_, previous_;  // along the ring
   std::vector<char> inside_;            // whether a half-edge is a side of a free polygon
 };

@@ -19,12 +19,11 @@
 #include "tutavia/space/cell_space.hpp"
 
 /// \file
-/// The search behind AnyAngle: over sides of convex pieces and what a bend of the path sees of
-/// them.
+/// Polyanya: the search of AnyAngle over intervals of the sides of convex pieces.
 
 namespace tutavia::detail {
 
-/// One query over a decomposition of the free cells into convex pieces, FreeRuns or NavigationMesh.
+/// One query over a decomposition of the free cells into convex pieces: FreeRuns or NavigationMesh.
 template <ConvexPieces Pieces, Observer O>
 class Polyanya {
  public:
@@ -61,7 +60,7 @@ class Polyanya {
     return {};
   }
 
-  /// The path found, straight runs whole.
+  /// The path found, without collinear vertices.
   Curve curve() const {
     const IntervalGeometry& geometry = expansion_.geometry();
     std::vector<Point> points{query_.goal};

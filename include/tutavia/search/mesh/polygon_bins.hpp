@@ -11,14 +11,14 @@
 #include "tutavia/search/mesh/sides.hpp"
 
 /// \file
-/// PolygonBins: which polygons of a mesh lie near a cell.
+/// PolygonBins: finds the polygons of a mesh near a cell.
 
 namespace tutavia::detail {
 
-/// The polygons that touch each square of 8 x 8 cells, and perhaps a few more.
+/// For each square of 8 x 8 cells the polygons that touch it, and possibly a few more.
 class PolygonBins {
  public:
-  /// Of a map.
+  /// For a map of `width` x `height` cells.
   PolygonBins(int width, int height) : width_(width), height_(height), columns_(width / side + 1) {}
 
   /// Fills the bins with polygons 0 ... `count` - 1; `sides_of(polygon)` is a span of its sides.
@@ -64,7 +64,7 @@ class PolygonBins {
       int low = width_, high = 0;
       for (const PolygonSide& s : sides) {
         const Cell a = s.right, b = s.left;
-        const auto offer = [&](int y) {  // where the side crosses a level
+        const auto extend = [&](int y) {  // intersection of the side with a grid line
           if (y < std::min(a.y, b.y) || y > std::max(a.y, b.y)) return;
           const int rise = a.y == b.y ? 1 : b.y - a.y;
           const std::int64_t run = a.y == b.y ? 0 : (std::int64_t{b.x} - a.x) * (y - a.y);
@@ -72,8 +72,8 @@ class PolygonBins {
           low = std::min(low, x - 1);
           high = std::max(high, x + 1);
         };
-        offer(row * side);
-        offer((row + 1) * side);
+        extend(row * side);
+        extend((row + 1) * side);
         if (a.y / side == row) {
           low = std::min(low, a.x);
           high = std::max(high, a.x);
@@ -86,7 +86,7 @@ class PolygonBins {
   }
 
   int width_, height_, columns_;
-  std::vector<std::uint32_t> first_;  // by bin, and the end
+  std::vector<std::uint32_t> first_;  // per bin, and one past the last
   std::vector<std::uint32_t> polygons_;
 };
 

@@ -11,11 +11,11 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// The walls of a grid, and the sides of polygons between them.
+/// Wall and PolygonSide: the walls of a grid, and sides of polygons between them.
 
 namespace tutavia::detail {
 
-/// A straight part of the border between free and blocked cells, free ones on its left.
+/// A straight part of the border between free and blocked cells, with the free cells on its left.
 struct Wall {
   Cell from, to;
   friend bool operator==(const Wall&, const Wall&) = default;
@@ -25,13 +25,13 @@ struct Wall {
   }
 };
 
-/// A side of a polygon, counterclockwise from right to left as seen from within.
+/// A side of a polygon, counterclockwise from right to left as seen from inside.
 struct PolygonSide {
   Cell right, left;
   std::uint32_t beyond;  // the neighbour's number; NavigationMesh::none: blocked
 };
 
-/// All walls of a grid, whose map is surrounded by blocked cells, from corner to corner.
+/// All walls of a grid, from corner to corner. Cells outside the map count as blocked.
 inline std::vector<Wall> walls_of(const OccupancyGrid& grid) {
   std::vector<Wall> walls;
   const Cell nowhere{-1, -1};
@@ -56,7 +56,7 @@ inline std::vector<Wall> walls_of(const OccupancyGrid& grid) {
   return walls;
 }
 
-/// Whether a ring turns left or goes straight on at every vertex, once around.
+/// Whether a ring turns left or continues straight at every vertex, and winds around once.
 inline bool is_convex(const std::vector<Cell>& ring) {
   const std::size_t n = ring.size();
   const auto side = [&](std::size_t i) { return ring[(i + 1) % n] - ring[i % n]; };
