@@ -14,32 +14,34 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// BSplineSmoother: a pruned polyline as a cubic B-spline.
+/// BSplineSmoother: a cubic B-spline along a pruned polyline.
 
 namespace tutavia {
 
-/// Drops redundant nodes (`prune`) and runs a clamped uniform cubic B-spline along what is left.
-/// Helper control points on the legs keep straight parts straight and corners as tight as they have
-/// to be.
+/// Removes redundant nodes (`prune`) and runs a clamped uniform cubic B-spline along the remaining
+/// ones. Auxiliary control points on the legs keep straight parts straight and corners as tight as
+/// necessary.
 ///
-/// A piece that cannot be proved draws its corners tighter, by halves; after six of them a corner
-/// stays as it is. Curvature is continuous but at such corners, where the rest is straight.
-/// Guarantees: the ends are exact, every piece is proved at the space's safety radius, the result
-/// is never longer than its input.
+/// If a piece cannot be proved, its corners are tightened by halving their reach; after six
+/// halvings the polyline's corner stays. Curvature is continuous except at such corners, whose
+/// neighbourhood is straight. Guarantees: the ends are exact, every piece is proved at the space's
+/// safety radius, and the result is never longer than its input.
 ///
-/// Source: the improved RRT* of MM Science Journal, October 2023 (RRTS), equation (1); what it
-/// leaves open is decided in docs/algorithms.md.
+/// Source: the improved RRT* of MM Science Journal, October 2023 (RRTS), equation (1);
+/// docs/algorithms.md decides the details that it leaves open.
+///
+/// Example: examples/smoothers.cpp.
 struct BSplineSmoother {
   static constexpr std::string_view name = "b_spline";
 
-  /// How far from a corner its helpers lie, at most a third of the leg; in spacings of the space's
-  /// grid, in metres where it has none.
+  /// Distance of the auxiliary control points from a corner, at most a third of the leg. In units
+  /// of the grid's resolution, or in metres if the space has no grid.
   double reach = 3;
-  /// Whether redundant nodes are dropped first; off for routes that go a longer way on purpose.
+  /// Whether redundant nodes are removed first; switch off for routes with deliberate detours.
   bool prune = true;
 
-  /// Errors: `invalid_option` for a reach that is not positive, `invalid_input` for a curve that is
-  /// no polyline or not free, what the budget says.
+  /// Errors: `invalid_option` for a reach that is not positive; `invalid_input` for a curve that is
+  /// not a polyline or not free; those of the budget.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (!(reach > 0)) return fail(PlanError::invalid_option, "reach must be positive");

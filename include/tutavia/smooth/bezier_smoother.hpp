@@ -16,32 +16,35 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// BezierSmoother: corners of a curve rounded by cubic Bezier pieces.
+/// BezierSmoother: rounds the corners of a curve by cubic Bezier pieces.
 
 namespace tutavia {
 
-/// Rounds every corner between two pieces of a curve by a cubic Bezier piece that begins on the one
-/// and ends on the other, at equal distances from the corner.
+/// Rounds every corner between two pieces of a curve by a cubic Bezier piece. Its ends lie on the
+/// two pieces, at equal distances from the corner.
 ///
-/// A corner takes `trim` of its two pieces, at most half of each, and half as much again and again
-/// until the Bezier piece is proved; after eight halvings the corner stays. Where the Bezier piece
-/// meets the others, and within, the direction changes continuously. Guarantees: the ends are
-/// exact, the new pieces and what is left of the others are proved at the space's safety radius,
-/// and the result is never longer than its input. O(n) for n corners.
+/// That distance is at first `trim`, but at most half of each piece. It is halved until the Bezier
+/// piece is proved; after eight halvings the corner stays. The direction changes continuously
+/// within the Bezier piece and at its ends. Guarantees: the ends are exact; the new pieces and the
+/// rests of the old ones are proved at the space's safety radius; the result is never longer than
+/// its input. O(n) for n corners.
 ///
-/// Source: Yang et al., "Improved A* based on fused Theta*", equations (12) to (17); where the
-/// control points lie it does not say, see docs/algorithms.md.
+/// Source: Yang et al., "Improved A* based on fused Theta*", equations (12) to (17). It does not
+/// say where the control points lie; see docs/algorithms.md.
+///
+/// Example: examples/smoothers.cpp.
 struct BezierSmoother {
   static constexpr std::string_view name = "bezier";
 
-  /// Most of a piece that a corner takes; in spacings of the space's grid, in metres where it has
-  /// none.
+  /// Largest length that a corner takes of each piece. In units of the grid's resolution, or in
+  /// metres if the space has no grid.
   double trim = 1.5;
-  /// How far the inner control points go from the ends of the piece towards the corner, in (0, 1].
+  /// Position of the inner control points between the ends of the Bezier piece and the corner, in
+  /// (0, 1].
   double fullness = 2.0 / 3;
 
-  /// Errors: `invalid_option` for a trim that is negative or not a number and a fullness out of
-  /// range, `invalid_input` for a curve that is not free, what the budget says.
+  /// Errors: `invalid_option` for a trim that is negative or NaN and for a fullness out of range;
+  /// `invalid_input` for a curve that is not free; those of the budget.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (!(trim >= 0)) return fail(PlanError::invalid_option, "trim must not be negative");
@@ -58,7 +61,8 @@ struct BezierSmoother {
       }
       corners[i] = round(space, input, i);
     }
-    // What is left of a piece lies on it but for rounding; where that is too much, the piece stays.
+    // The rest of a piece lies on it up to rounding. If that already makes it unprovable, the whole
+    // piece stays.
     for (std::size_t i = 0; i < count;) {
       if (i % 64 == 0) {
         if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
@@ -67,7 +71,7 @@ struct BezierSmoother {
         ++i;
       } else {
         corners[i] = corners[i + 1] = {};
-        if (i > 0) --i;  // there is more left of the one before, too
+        if (i > 0) --i;  // the previous piece keeps more of its length, too
       }
     }
     Curve result;
@@ -83,20 +87,19 @@ struct BezierSmoother {
   }
 
  private:
-  /// The piece that takes a corner's place, from a parameter of the piece before it to one of the
-  /// piece after it.
+  /// The piece that replaces a corner, from a parameter of the previous piece to one of the next.
   struct Rounding {
     bool is_round = false;
     double from = 1, to = 0;
     CubicBezier piece{{Point::Zero(), Point::Zero(), Point::Zero(), Point::Zero()}};
   };
-  /// A place on a piece, and the direction of travel there.
+  /// A position on a piece, and the direction of travel there.
   struct CurveLocation {
     double parameter;
     Point position, direction;
   };
 
-  /// The place at arc length s of a piece of length `total`.
+  /// The position at arc length s of a piece of length `total`.
   static CurveLocation location(const Piece& piece, double s, double total) {
     return piece.visit([&](const auto& p) {
       const double t = detail::parameter_at(p, s, total, s / total);
@@ -107,7 +110,7 @@ struct BezierSmoother {
     });
   }
 
-  /// The rounding of the joint before piece i.
+  /// The rounding of the corner before piece i.
   template <ClearanceSpace S>
   Rounding round(const S& space, const Curve& curve, std::size_t i) const {
     const Piece &in = curve.pieces()[i - 1], &out = curve.pieces()[i];
@@ -115,7 +118,7 @@ struct BezierSmoother {
     const double after = curve.length_before(i + 1) - curve.length_before(i);
     const Point u = in.visit([](const auto& p) -> Point { return p.end_direction(); });
     const Point v = out.visit([](const auto& p) -> Point { return p.start_direction(); });
-    // Straight on, or straight back: nothing to round.
+    // Nothing to round: straight ahead or straight back.
     if (!(std::abs(cross(u, v)) > 1e-9 * std::abs(u.dot(v))) || before == 0 || after == 0) {
       return {};
     }
@@ -133,7 +136,7 @@ struct BezierSmoother {
     return {};
   }
 
-  /// Whether a piece is free without what the corners before and after it take.
+  /// Whether the rest of a piece between the roundings at its ends is free.
   template <ClearanceSpace S>
   static bool is_rest_free(const S& space, const Piece& piece, const Rounding& before,
                            const Rounding& after) {

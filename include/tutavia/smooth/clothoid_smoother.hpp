@@ -15,46 +15,49 @@
 #include "tutavia/smooth/taut_string.hpp"
 
 /// \file
-/// ClothoidSmoother: a path of continuous curvature.
+/// ClothoidSmoother: paths of continuous curvature.
 
 namespace tutavia {
 
-/// Takes a taut string away from the obstacles by a part of the safety radius, and uses that room
-/// to make its curvature continuous: every bend becomes a pair of mirrored spirals or, where it
-/// turns far, an arc between two.
+/// Moves a taut string away from the obstacles by a fraction of the safety radius and uses that
+/// margin to make its curvature continuous. Every bend becomes a pair of mirrored spirals or, for
+/// large turns, an arc between two spirals.
 ///
-/// A polyline is pulled taut first; a curve of segments and arcs (a taut string, the path of a
-/// tangent graph) is taken as it is. A bend for which the room is not free gets half of it, and
-/// half of that, and in the end stays the arc or the corner that it was: `max_curvature_jump` and
-/// `max_joint_deflection` of the metrics tell. Cubic Beziers know the pair alone.
+/// A polyline is first pulled taut. A curve of segments and arcs (a taut string, the path of a
+/// tangent graph) is used directly. If a widened bend collides, its margin is halved until it fits,
+/// down to the original arc or corner; then `max_curvature_jump` or `max_joint_deflection` of the
+/// metrics is not 0. Cubic Bezier spirals support only the symmetric pair, without an arc between.
 ///
-/// Guarantees: the ends are exact; all pieces are proved at the safety radius; the bends' radii are
-/// no less than those of the string's arcs and than `min_turning_radius`. The length exceeds that
-/// of a taut string by the clearance budget times its own turning angle at most, more only where
-/// `min_turning_radius` asks for wider bends. O(n) proofs for n bends.
+/// Guarantees: the ends are exact; all pieces are proved at the safety radius; the radii of bends
+/// are at least those of the string's arcs and `min_turning_radius`. The length exceeds that of a
+/// taut string by at most the clearance budget times its own total turn, and by more only if
+/// `min_turning_radius` requires wider bends. O(n) proofs for n bends.
 ///
 /// Source: Meek and Walton 1992, "Clothoid spline transition spirals"; Yang and Sukkarieh 2010 for
 /// the Bezier pieces; see docs/algorithms.md.
+///
+/// Example: examples/smoothers.cpp.
 struct ClothoidSmoother {
   static constexpr std::string_view name = "clothoid";
 
   /// The pieces along which the curvature changes.
   enum class Spirals {
-    clothoids,     ///< the curvature grows evenly with arc length
-    cubic_beziers  ///< for users who know no clothoids; see bezier_spirals
+    clothoids,     ///< curvature is linear in arc length
+    cubic_beziers  ///< for consumers without clothoids; see bezier_spirals
   };
 
-  /// How far the string may be taken from the safety zones, in safety radii; where the safety
-  /// radius is 0, in spacings of the space's grid (in metres where it has none).
+  /// Largest distance by which the string is moved away from the safety zones, in safety radii. At
+  /// safety radius 0 in units of the grid's resolution, or in metres if the space has no grid.
   double clearance_budget = 0.1;
-  /// [m]. Bends around obstacles of which the zone is rounder than that are taken wider,
-  /// and where that is not free or the ways between bends are too short, smoothing fails.
+  /// Lower bound on the turning radius [m]. Bends around tighter safety zones are widened
+  /// to it. Smoothing fails if a wider bend is not free or the segments between bends are too
+  /// short.
   std::optional<double> min_turning_radius{};
   Spirals spirals = Spirals::clothoids;
 
-  /// Errors: `invalid_option` for options that are negative or not finite, `invalid_input` for a
-  /// curve that is not free or has other pieces than segments and arcs, `not_proved` where the
-  /// turning radius cannot be kept, what the budget says.
+  /// Errors: `invalid_option` for options that are negative or not finite; `invalid_input` for a
+  /// curve that is not free or has pieces other than segments and arcs; `not_proved` if the turning
+  /// radius cannot be kept; those of the budget.
   template <FeatureSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     for (const auto& [value, option] :

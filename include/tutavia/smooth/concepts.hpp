@@ -10,13 +10,15 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// What a smoother is, and what many have in common.
+/// The concept of smoothers, and their unit of length.
 
 namespace tutavia {
 
-/// A smoother: a regular value that is its own options. `smooth` maps a curve in free space to
-/// another one in free space with the same ends, never longer than its documented bound; it is
-/// deterministic and keeps within the budget.
+/// A smoother: a regular value whose members are its options. `smooth` maps a curve in free space
+/// to another one in free space with the same ends, never longer than its documented bound. It is
+/// deterministic and stays within the budget.
+///
+/// Example: examples/own_smoother.cpp.
 template <class A, class S>
 concept Smoother = std::copyable<A> &&
     requires(const A& a, const S& space, const Curve& curve, const Budget& budget) {
@@ -26,8 +28,8 @@ concept Smoother = std::copyable<A> &&
 
 namespace detail {
 
-/// The metres in a length that smoothers take in spacings of the space's grid: its resolution, 1 m
-/// where the space has no grid.
+/// The unit [m] of lengths that smoothers take in grid spacings: the grid's resolution, 1 m if the
+/// space has no grid.
 template <FreeSpace S>
 double length_unit([[maybe_unused]] const S& space) {
   if constexpr (LinkedSpace<S>) {

@@ -21,45 +21,48 @@
 #include "tutavia/smooth/shortcut.hpp"
 
 /// \file
-/// DeltaSmoother: the DSP paper's smoothing of grid paths.
+/// DeltaSmoother: the smoothing of grid paths in the delta-smoothed path (DSP) paper.
 
 namespace tutavia {
 
-/// Smooths a polyline with cautious arcs at critical corners and greedy shortcuts in between.
+/// Smooths a polyline by arcs at critical corners and greedy shortcuts in between.
 ///
-/// A corner is critical when the path passes its safety zone within `corner_threshold`; the path
-/// node nearest to it is its trigger. Shortcuts stop before triggers; at a trigger the two steps
-/// around it become one quadratic Bezier arc whose control point is pushed away from the corner
-/// until the arc is proved safe, or stay as they are. Shortcuts are prudent: they stop one node
-/// before the last node in sight, which is the one next to a corner.
+/// A corner is critical if the path passes its safety zone within `corner_threshold`. The path node
+/// nearest to it is its trigger. Shortcuts stop before triggers. At a trigger, the two steps around
+/// it become one quadratic Bezier arc, whose control point is pushed away from the corner until the
+/// arc is proved safe; if none is, the steps stay. Shortcuts are prudent: they stop one node before
+/// the last node in sight, which is usually next to a corner.
 ///
-/// Guarantees: the ends are exact, every line and arc is proved at the space's safety radius, and
-/// the result is never longer than its input (else the input's shortcuts are returned). Arcs are
-/// smooth inside; where they meet lines there may be corners, as in the paper, or with
-/// `Join::tangent` none but those that cannot be rounded in free space (see BezierSmoother).
-/// O(n log n) lines of sight for n nodes.
+/// Guarantees: the ends are exact; every line and arc is proved at the space's safety radius; the
+/// result is never longer than its input (otherwise the input's shortcuts are returned). Arcs are
+/// smooth inside. Where they meet lines there may be corners, as in the paper. With `Join::tangent`
+/// only corners that cannot be rounded in free space remain (see BezierSmoother). O(n log n) lines
+/// of sight for n nodes.
 ///
-/// Source: Abdulshaheed 2025, "A Delta-Smoothed Path Algorithm". The paper's names are given with
-/// the fields; the resolution of what it leaves open is in docs/algorithms.md.
+/// Source: Abdulshaheed 2025, "A Delta-Smoothed Path Algorithm". The fields give the paper's names;
+/// docs/algorithms.md decides the details that it leaves open.
+///
+/// Example: examples/smoothers.cpp.
 struct DeltaSmoother {
   static constexpr std::string_view name = "delta";
 
   /// How lines and arcs meet.
   enum class Join {
-    paper,    ///< as it happens: the direction may jump
-    tangent,  ///< in one direction: joints are rounded by cubic pieces
+    paper,    ///< the direction may jump
+    tangent,  ///< corners between them are rounded by cubic pieces
   };
 
   double corner_threshold = 0.3;     ///< cornerThresh [m]
-  double arc_initial_offset = 0.12;  ///< arcInitOffset [m]: the first push, after none at all
+  double arc_initial_offset = 0.12;  ///< arcInitOffset [m]: the first offset tried after 0
   double arc_max_offset = 0.6;       ///< arcMaxOffset [m]
   double arc_growth_step = 0.12;     ///< arcGrowStep [m]
-  /// Corners that turn less are not corners, but facets of something round [rad].
+  /// Corners that turn by less are treated as facets of a round obstacle [rad].
   double min_exterior_angle = 20 * std::numbers::pi / 180;
   Join join = Join::paper;
 
-  /// Errors: `invalid_option` for one that is negative or not a number (the growth step must be
-  /// positive), `invalid_input` for a curve that is no polyline or not free, what the budget says.
+  /// Errors: `invalid_option` for an option that is negative or NaN (the growth step must be
+  /// positive); `invalid_input` for a curve that is not a polyline or not free; those of the
+  /// budget.
   template <CornerSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
@@ -74,7 +77,7 @@ struct DeltaSmoother {
   }
 
  private:
-  /// A path node at which an arc has to be tried, and the corner that asks for it.
+  /// A path node at which an arc is tried, and its critical corner.
   struct Trigger {
     std::size_t node;
     Point corner;
@@ -119,8 +122,8 @@ struct DeltaSmoother {
     return nullptr;
   }
 
-  /// For each critical corner the nearest node; one trigger per node, by the nearest corner, in the
-  /// order of the path.
+  /// One trigger per node: the nearest node of each critical corner, with the nearest corner of
+  /// each node, in path order.
   template <CornerSpace S>
   std::vector<Trigger> find_triggers(const S& space, const std::vector<Point>& nodes) const {
     std::vector<Trigger> triggers;
@@ -142,8 +145,8 @@ struct DeltaSmoother {
     return triggers;
   }
 
-  /// The first of the nodes that are nearest to a corner; they are looked at outwards from the
-  /// corner's x. \pre there are nodes
+  /// The node nearest to a corner, the first one of ties. Searches outwards from the corner's x.
+  /// \pre there are nodes
   static Trigger trigger_of(const Corner& corner, const std::vector<Point>& nodes,
                             const std::vector<std::size_t>& by_x) {
     Trigger best{0, corner.position, corner.id, std::numeric_limits<double>::infinity()};
@@ -163,7 +166,7 @@ struct DeltaSmoother {
     return best;
   }
 
-  /// The node to go to straight from i: one before the last in sight, no later than `barrier`.
+  /// The end of a shortcut from i: one node before the last in sight, but at most `barrier`.
   template <FreeSpace S>
   static std::size_t prudent_shortcut(const S& space, const std::vector<Point>& nodes,
                                       std::size_t i, std::size_t barrier) {
@@ -173,11 +176,11 @@ struct DeltaSmoother {
     const std::size_t target = std::clamp(last == end ? end : last - 1, i + 1, barrier);
     if (target == last || target == i + 1) return target;
     if (sees(target)) return target;
-    if (last <= barrier) return last;  // it is in sight, its predecessor is not
+    if (last <= barrier) return last;  // in sight, unlike its predecessor
     return detail::farthest_looking_ahead(i, target, sees);
   }
 
-  /// Replaces the two steps around a trigger by one arc, if any offset gives a proved one.
+  /// Replaces the two steps around a trigger by one arc, if the arc is proved for some offset.
   template <ClearanceSpace S>
   void append_arc(const S& space, const std::vector<Point>& nodes, const Trigger& trigger,
                   Curve& result) const {

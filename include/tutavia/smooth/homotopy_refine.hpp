@@ -15,23 +15,25 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// HomotopyRefine: a shorter way on the other side of an obstacle.
+/// HomotopyRefine: replaces a curve by a shorter path in any homotopy class.
 
 namespace tutavia {
 
-/// Replaces a curve by the shortest path of all where that is shorter: what a taut string cannot
-/// find, because it keeps the obstacles on the sides that the route had them on. A search of the
-/// tangent graph, bounded by the curve's own length.
+/// Replaces a curve by the globally shortest path if that is shorter. A taut string cannot find
+/// that path, because it keeps the obstacles on the same sides as the route. Searches the tangent
+/// graph, bounded by the curve's own length.
 ///
-/// Guarantees: the ends are exact, the result is the input or a proved path that is shorter. When
-/// the search runs out of time or expansions, and at safety radius 0, the result is the input.
+/// Guarantees: the ends are exact; the result is the input or a proved shorter path. The result is
+/// the input if the search runs out of time or expansions, and at safety radius 0.
+///
+/// Example: examples/smoothers.cpp.
 struct HomotopyRefine {
   static constexpr std::string_view name = "homotopy_refine";
 
-  /// How far the search may go.
+  /// Upper bound on the expansions of the search.
   std::uint64_t max_expansions = std::numeric_limits<std::uint64_t>::max();
 
-  /// Errors: `invalid_input` for a curve that is not free, `cancelled`, `budget_exhausted` while
+  /// Errors: `invalid_input` for a curve that is not free; `cancelled`; `budget_exhausted` while
   /// the curve is checked.
   template <FeatureSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {

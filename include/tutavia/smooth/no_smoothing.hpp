@@ -8,11 +8,13 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// NoSmoothing: the route as it is.
+/// NoSmoothing: returns the route unchanged.
 
 namespace tutavia {
 
 /// Returns its input.
+///
+/// Example: examples/smoothers.cpp.
 struct NoSmoothing {
   static constexpr std::string_view name = "none";
 

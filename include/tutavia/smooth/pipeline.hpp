@@ -14,24 +14,27 @@
 #include "tutavia/smooth/concepts.hpp"
 
 /// \file
-/// Pipeline: smoothers one after another.
+/// Pipeline: several smoothers in sequence.
 
 namespace tutavia {
 
 namespace detail {
 
-/// A space on which several smoothers work.
+/// A space on which all the smoothers work.
 template <class S, class... Stages>
 concept SmoothableSpace = (Smoother<Stages, S> && ...);
 
 }  // namespace detail
 
-/// Smoothers in a row, each of which gets what the one before made:
+/// Applies smoothers in sequence, each to the result of the one before:
 ///
 ///     Planner planner{ThetaStar{}, Pipeline{TautString{}, BezierSmoother{.trim = 0.2}}};
 ///
-/// Fails as soon as one of them does; those that take polylines only come first. The result keeps
-/// every bound that the last one keeps; its length is bounded by the product of all bounds.
+/// Fails as soon as one of them fails; smoothers that take only polylines must come first. The
+/// result keeps every bound that the last smoother keeps. Its length is bounded by the product of
+/// all bounds.
+///
+/// Example: examples/smoothers.cpp.
 template <class... Stages>
 class Pipeline {
   static_assert(sizeof...(Stages) > 0);

@@ -16,35 +16,37 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// RedundantNodeRemoval: the pruning of the improved RRT* paper.
+/// RedundantNodeRemoval: removes redundant nodes, as in the improved RRT* paper.
 
 namespace tutavia {
 
-/// Drops the nodes of a polyline that it can do without. The nodes that a grid path passes count.
+/// Removes redundant nodes of a polyline. The grid nodes on a grid path count as nodes.
 ///
-/// Guarantees: the ends are exact, every line taken is proved at the space's safety radius, the
-/// nodes kept are nodes of the input in its order, and the result is never longer than the input.
-/// Sight is not monotone along a path, so a second pass may find more to drop.
+/// Guarantees: the ends are exact; every line taken is proved at the space's safety radius; the
+/// kept nodes are nodes of the input in the same order; the result is never longer than the input.
+/// Sight is not monotone along a path, so a second pass may remove more.
 ///
 /// Source: the improved RRT* of MM Science Journal, October 2023 (RRTS), "removing redundant
 /// nodes".
+///
+/// Example: examples/smoothers.cpp.
 struct RedundantNodeRemoval {
   static constexpr std::string_view name = "redundant_node_removal";
 
-  /// How the next node to keep is found.
+  /// How the next kept node is found.
   enum class Scan {
-    /// From a kept node on to the next one while it is in sight, up to the first hidden one, as
-    /// printed. O(n) lines of sight for n nodes.
+    /// Steps forward from a kept node while the next node is in sight, up to the first hidden one,
+    /// as printed in the paper. O(n) lines of sight for n nodes.
     forward,
-    /// From the end of the route back in doubling steps until a node is in sight, then by bisection
-    /// towards the hidden one after it: a node in sight whose successor is not, though not always
-    /// the last one in sight. O(n log n) lines of sight.
+    /// Steps back from the end of the route, in doubling steps, until a node is in sight; then
+    /// bisects towards the hidden node after it. Finds a node in sight whose successor is hidden,
+    /// though not always the last one in sight. O(n log n) lines of sight.
     from_far_end,
   };
 
   Scan scan = Scan::forward;
 
-  /// Errors: `invalid_input` for a curve that is no polyline or not free, what the budget says.
+  /// Errors: `invalid_input` for a curve that is not a polyline or not free; those of the budget.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     auto nodes = detail::free_nodes(space, input, budget, "the removal of redundant nodes");

@@ -13,20 +13,23 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// Shortcut: straight lines between joints that see each other.
+/// Shortcut: replaces parts of a path by straight lines between waypoints in sight.
 
 namespace tutavia {
 
-/// Greedy shortcuts: from each joint kept, goes straight to a late joint that it sees. The nodes
-/// that a grid path passes count as joints.
+/// Greedy shortcuts: from each kept waypoint straight to a late waypoint in sight. The grid nodes
+/// on a grid path count as waypoints.
 ///
-/// Looks ahead in doubling steps until a joint is out of sight, then bisects: O(n log n) lines of
-/// sight for n joints. Sight need not be monotone along a path, so the joint found is not always
-/// the last one in sight; every line taken was tested. Never longer than its input.
+/// Looks ahead in doubling steps until a waypoint is out of sight, then bisects: O(n log n) lines
+/// of sight for n waypoints. Sight need not be monotone along a path, so the waypoint found is not
+/// always the last one in sight. Every line taken is tested. The result is never longer than its
+/// input.
+///
+/// Example: examples/smoothers.cpp.
 struct Shortcut {
   static constexpr std::string_view name = "shortcut";
 
-  /// Errors: `invalid_input` for a curve that is not free, what the budget says.
+  /// Errors: `invalid_input` for a curve that is not free; those of the budget.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     auto curve = detail::free_steps(space, input, budget);

@@ -24,35 +24,37 @@
 
 namespace tutavia {
 
-/// Fits a cubic smoothing spline to the nodes of a polyline, those that a grid path passes
-/// included, and joins points of it at equal parameters by cubic Bezier pieces that have its
+/// Fits a cubic smoothing spline to the nodes of a polyline, including the grid nodes on a grid
+/// path. Cubic Bezier pieces then join points of the spline at equal parameters, with the spline's
 /// tangents.
 ///
-/// The spline is the smoothest one, by the integral of the squared second derivative, whose sum of
-/// squared distances from the nodes stays within the bound; see NaturalSpline. A route that is
-/// that close to a straight line becomes one. Where a piece is not proved, or the spline is longer
-/// than the polyline, the route is halved at its middle node and each half gets a spline of its
-/// own, with its share of the bound and of the pieces; in the end single steps of the route
-/// remain. At nodes where it was cut there may be corners.
+/// The spline minimises the integral of the squared second derivative among those whose sum of
+/// squared distances from the nodes is within a bound; see NaturalSpline. A route that close to a
+/// straight line becomes straight. If a piece is not proved, or the spline is longer than the
+/// polyline, the route is halved at its middle node. Each half gets its own spline, with its share
+/// of the bound and of the pieces, down to single steps of the route. There may be corners at nodes
+/// where the route was cut.
 ///
-/// Guarantees: the ends are exact, every piece is proved at the space's safety radius, and the
-/// result is never longer than the input. O(n log n) for n nodes.
+/// Guarantees: the ends are exact; every piece is proved at the space's safety radius; the result
+/// is never longer than the input. O(n log n) for n nodes.
 ///
-/// Source: Zhou, Shang, Wang, Zuo 2025, Appl. Sci. 15(10) 5583 (SSA), who take FITPACK's
-/// parametric smoothing spline with s = 0.1 and 100 points; Reinsch's criterion takes its place.
+/// Source: Zhou, Shang, Wang, Zuo 2025, Appl. Sci. 15(10) 5583 (SSA). They take FITPACK's
+/// parametric smoothing spline with s = 0.1 and 100 points; here Reinsch's criterion replaces it.
+///
+/// Example: examples/smoothers.cpp.
 struct SmoothingSpline {
   static constexpr std::string_view name = "smoothing_spline";
 
-  /// Bound s on the sum of squared distances from the nodes; in squared spacings of the space's
-  /// grid, in square metres where it has none. With 0, or all but 0, a spline is hardly ever
-  /// shorter than the route, which then stays.
+  /// Bound s on the sum of squared distances from the nodes. In squared units of the grid's
+  /// resolution, or in square metres if the space has no grid. With 0, or nearly 0, a spline is
+  /// hardly ever shorter than the route, which is then returned.
   double smoothing = 0.1;
-  /// Points of the spline on the whole route, of which pieces join each to the next.
+  /// Number of spline points on the whole route, joined by Bezier pieces.
   std::size_t output_points = 100;
 
-  /// Errors: `invalid_option` for a smoothing that is negative or not a number and for less than 2
-  /// or more than a million output points, `invalid_input` for a curve that is no polyline or not
-  /// free, what the budget says.
+  /// Errors: `invalid_option` for a smoothing that is negative or NaN and for less than 2 or more
+  /// than a million output points; `invalid_input` for a curve that is not a polyline or not free;
+  /// those of the budget.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const;
 };
@@ -63,7 +65,7 @@ namespace detail {
 template <ClearanceSpace S>
 class PiecewiseSplineFit {
  public:
-  /// `bound` and `pieces` are those of the whole route. \pre no two successive nodes are equal,
+  /// `bound` and `pieces` are those of the whole route. \pre no two successive nodes are equal, and
   /// the steps between them are proved
   PiecewiseSplineFit(const S& space, const Budget& budget, std::span<const Point> nodes,
                      double bound, std::size_t pieces)
@@ -74,8 +76,8 @@ class PiecewiseSplineFit {
         pieces_per_step_(static_cast<double>(pieces) / static_cast<double>(nodes.size() - 1)),
         rounding_(8 * 0x1p-53 * space.largest_coordinate()) {}
 
-  /// Appends the pieces from node `first` to `last` to the result, or says that the budget ended.
-  /// \pre first < last
+  /// Appends the pieces from node `first` to `last` to the result; an error if the budget has
+  /// ended. \pre first < last
   std::optional<PlanError> smooth(std::size_t first, std::size_t last) {
     if (const auto exceeded = budget_.exceeded()) return to_error(*exceeded);
     if (last - first == 1) {
@@ -110,13 +112,13 @@ class PiecewiseSplineFit {
     return true;
   }
 
-  /// `count` pieces between points at equal parameters; false where one is not proved.
+  /// Adds `count` pieces between points at equal parameters; false if one is not proved.
   bool add_pieces(const NaturalSpline& spline, std::span<const Point> section, double count,
                   Curve& curve) const {
     const double step = spline.end() / count;
     Point start = section.front(), tangent = spline.derivative(0);
     for (double i = 1; i <= count; ++i) {
-      // Out of time: the halves of the section will find out again, and say so.
+      // Out of time; the halves of the section will report it.
       if (std::fmod(i, 256) == 0 && budget_.exceeded()) return false;
       const double t = i < count ? i * step : spline.end();
       const Point end = i < count ? spline.point(t) : section.back();
@@ -130,7 +132,7 @@ class PiecewiseSplineFit {
     return true;
   }
 
-  /// Appends a proved segment; as part of the one before where both lie on one line.
+  /// Appends a proved segment, merged with the previous one if both lie on one line.
   void append(const Segment& segment) {
     const Segment* before = result_.empty() ? nullptr : result_.back().get_if<Segment>();
     if (before != nullptr) {
@@ -155,7 +157,7 @@ class PiecewiseSplineFit {
   const Budget& budget_;
   std::span<const Point> nodes_;
   double bound_per_node_, pieces_per_step_;
-  double rounding_;  // nodes this close to a line are on it [m]
+  double rounding_;  // nodes this close to a line count as on it [m]
   std::vector<Piece> result_;
 };
 

@@ -19,39 +19,39 @@
 #include "tutavia/space/cell_space.hpp"
 
 /// \file
-/// StringPull: a path on cells pulled taut.
+/// StringPull: pulls a path on cells taut.
 
 namespace tutavia {
 
 namespace detail {
 
-/// The side that two free runs of neighbouring rows share, with its ends as seen by who crosses it.
+/// The side that two free runs of neighbouring rows share, with its ends as seen when crossing it.
 struct Portal {
   Cell right, left;
   friend bool operator==(const Portal&, const Portal&) = default;
 };
 
-/// Follows a polyline through the free runs of rows and notes the portals it crosses, those left
-/// out that it comes back through at once: what then remains is its homotopy class.
+/// Follows a polyline through the free runs of rows and records the portals that it crosses. A
+/// portal crossed back at once is removed, so the remaining sequence identifies the homotopy class.
 class PortalTrace {
  public:
   explicit PortalTrace(const CellSpace& space) : space_(space), runs_(space.cells()) {}
 
-  /// Goes straight on; false where that is not free. \pre both points lie within the bounds
+  /// Follows a straight segment; false if it is not free. \pre both points lie within the bounds
   bool go(const Point& p, const Point& q) {
     if (p == q) return true;
     if (p.y() == q.y()) return go_level(p, q);
     const bool up = p.y() < q.y();
     const int from = row_of(p), to = row_of(q);
-    // Rows that it passes, each entered at a level, the first where it is (a point on a level lies
-    // above and below it).
+    // The first and last rows that it passes. A point on a grid line belongs to the rows on both
+    // sides.
     int row = !up && is_on_level(p, from) ? from - 1 : from;
     const int last = up && is_on_level(q, to) ? to - 1 : to;
     if (!enter(row, first_column(p, q, row))) return false;
     while (row != last) {
       const int level = up ? row + 1 : row;
       row += up ? 1 : -1;
-      // It leaves a row by the run that it entered it by.
+      // The segment must leave a row by the run by which it entered.
       if (!holds(column_at(q, p, level)) || !enter(row, column_at(p, q, level))) return false;
     }
     return holds(first_column(q, p, last));
@@ -66,7 +66,7 @@ class PortalTrace {
   bool is_on_level(const Point& p, int row) const { return p.y() == y_of(row); }
   bool is_free(Cell cell) const { return grid().contains(cell) && grid().is_free(cell); }
 
-  /// The last row or column that begins at or before a coordinate.
+  /// The last row or column that starts at or before a coordinate.
   int row_of(const Point& p) const {
     int row = static_cast<int>(std::floor((p.y() - y_of(0)) / space_.frame().resolution));
     while (y_of(row) > p.y()) --row;
@@ -80,32 +80,32 @@ class PortalTrace {
     return column;
   }
 
-  /// The column that a rising or falling segment enters as it crosses a level.
+  /// The column that a rising or falling segment enters when it crosses a grid line.
   int column_at(const Point& p, const Point& q, int level) const {
     const double t = (y_of(level) - p.y()) / (q.y() - p.y());
     const Point on(p.x() + t * (q.x() - p.x()), y_of(level));
     int column = column_of(on);
-    // Its corner decides: left of the way up, or right of the way down, the segment passes it.
+    // Decided by the corner: a rising segment passes to the right of it, a falling one to the left.
     const int up = p.y() < q.y() ? 1 : -1;
     const auto side = [&](int x) { return up * orientation(p, q, space_.corner({x, level})); };
     while (side(column) < 0) --column;
     while (side(column + 1) >= 0) ++column;
     return beside(column, up > 0 ? level : level - 1, side(column) == 0, p, q);
   }
-  /// The column of a row where a segment begins.
+  /// The column in which a segment starts within a row.
   int first_column(const Point& p, const Point& q, int row) const {
     const int column = column_of(p);
     return beside(column, row, x_of(column) == p.x(), p, q);
   }
-  /// On a line between two columns, the one that a segment goes on in; straight along the line, the
-  /// free one.
+  /// On a line between two columns, the column in which the segment continues; if it runs along the
+  /// line, the free column.
   int beside(int column, int row, bool on_line, const Point& p, const Point& q) const {
     if (!on_line || q.x() > p.x()) return column;
     if (q.x() < p.x()) return column - 1;
     return is_free({column, row}) ? column : column - 1;
   }
 
-  /// Along a row, or between two.
+  /// Follows a horizontal segment along a row, or between two rows.
   bool go_level(const Point& p, const Point& q) {
     const bool right = p.x() < q.x();
     const int row = row_of(p);
@@ -116,7 +116,7 @@ class PortalTrace {
       if (!enter(is_free({column, row}) ? row : row - 1, column)) return false;
     }
     while (!holds(last)) {
-      // Where its run ends it goes on beside, in a run of the other row that began before.
+      // At the end of its run it continues in an overlapping run of the other row.
       const int end = right ? run_.x1 - 1 : run_.x0, other = run_.y0 == row ? row - 1 : row;
       if (!is_free({end + (right ? 1 : -1), other}) || !enter(other, end)) return false;
     }
@@ -125,7 +125,7 @@ class PortalTrace {
 
   bool holds(int column) const { return run_.x0 <= column && column < run_.x1; }
 
-  /// Goes on in the run that holds a cell; false where it has no side in common with this one.
+  /// Enters the run that contains a cell; false if it does not adjoin the current run.
   bool enter(int row, int column) {
     const Cell cell{column, row};
     if (!is_free(cell)) return false;
@@ -158,15 +158,17 @@ class PortalTrace {
 
 }  // namespace detail
 
-/// The shortest of all paths on cells that can be pulled into this one without crossing a blocked
-/// cell (its homotopy class); it bends at corners of cells.
+/// The shortest path on cells in the homotopy class of the input: the input can be deformed into it
+/// without crossing a blocked cell. It bends at corners of cells.
 ///
 /// A path may slide along blocked cells and touch their corners, but does not pass between two that
-/// share a side or only a corner. For any path of straight pieces on a CellSpace of safety radius
-/// 0: what searches on grids find, between centres or corners. Never longer than its input; exact
-/// but for the rounding of lengths; O(rows crossed). `invalid_option` for a safety radius,
-/// `invalid_input` for curved pieces and for a path that is not free by these rules; what the
-/// budget says.
+/// share a side or only a corner. The input may be any path of straight pieces on a CellSpace of
+/// safety radius 0, such as the paths of grid searches between centres or corners. The result is
+/// never longer than the input and exact up to the rounding of lengths. O(rows crossed). Errors:
+/// `invalid_option` for a safety radius other than 0; `invalid_input` for curved pieces and for a
+/// path that is not free by these rules; those of the budget.
+///
+/// Example: examples/smoothers.cpp.
 struct StringPull {
   static constexpr std::string_view name = "string_pull";
 
@@ -176,18 +178,18 @@ struct StringPull {
       return fail(PlanError::invalid_option, "string_pull is defined for safety radius 0");
     }
     if (curve.empty()) return curve;
-    const auto broken = [](std::size_t piece, const char* what) {
+    const auto invalid = [](std::size_t piece, const char* what) {
       return fail(PlanError::invalid_input, "piece " + std::to_string(piece) + what);
     };
-    if (!space.is_free(curve.start())) return broken(0, " starts in a blocked cell");
+    if (!space.is_free(curve.start())) return invalid(0, " starts in a blocked cell");
     detail::PortalTrace trace(space);
     for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
       if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while pulling a string");
       const Segment* segment = curve.pieces()[i].get_if<Segment>();
-      if (segment == nullptr) return broken(i, " is not straight");
+      if (segment == nullptr) return invalid(i, " is not straight");
       const bool within =
           space.bounds().contains(segment->a) && space.bounds().contains(segment->b);
-      if (!within || !trace.go(segment->a, segment->b)) return broken(i, " is not free");
+      if (!within || !trace.go(segment->a, segment->b)) return invalid(i, " is not free");
     }
     std::vector<std::pair<Point, Point>> portals;
     portals.reserve(trace.portals().size());

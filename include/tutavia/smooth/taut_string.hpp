@@ -15,24 +15,26 @@
 
 namespace tutavia {
 
-/// The shortest curve of all that a path can be pulled into without crossing an obstacle (its
-/// homotopy class): straight pieces that touch circles of the safety radius around obstacle
-/// vertices, and arcs of these circles; discs have circles around them, too. So the curve has no
-/// corners, but at safety radius 0, where it bends at vertices.
+/// The shortest curve in the homotopy class of a path: the path can be pulled into it without
+/// crossing an obstacle. It consists of segments tangent to circles and of arcs of these circles.
+/// The circles have the safety radius and lie around obstacle vertices; discs have circles around
+/// them, too. The curve has no corners, except at safety radius 0, where it bends at vertices.
 ///
-/// Pulls one bend of the string after another and proves what takes its place; a pull that cannot
-/// be proved is not made. So the string is in free space all the time, never longer than its input,
-/// and when the deadline passes while it is pulled it is returned as far as it is. Every circle
-/// keeps a few rounding errors more than the safety radius, which is what its length exceeds the
-/// shortest by. Where free space is no wider than these (a start or goal at the safety radius, a
-/// gap of twice the radius, at radius 0 walls and points that may not be touched) a pull past it
-/// cannot be proved, and corners of the route stay. Shorter ways on the other side of an obstacle
-/// are not looked for. O(log m + k h) per pull for m obstacle edges, k vertices between the string
-/// before and after and h of them on it; routes of grid searches take 1 to 2 pulls per bend.
+/// Bends are pulled one after another. A pull is made only if its result is proved, so every
+/// intermediate string is collision-free and never longer than the input. If the deadline passes,
+/// the current string is returned. Circles exceed the safety radius by a few rounding errors, and
+/// so does the length exceed the optimum. If free space is no wider than that, a pull cannot be
+/// proved and corners of the route stay: at a start or goal at the safety radius, in a gap of twice
+/// the radius, and, at radius 0, at walls and points that may not be touched. The homotopy class
+/// never changes; for shorter routes on the other side of an obstacle see HomotopyRefine. O(log m +
+/// k h) per pull for m obstacle edges, k vertices between the strings before and after the pull,
+/// and h of them on the string. Routes of grid searches take 1 to 2 pulls per bend.
+///
+/// Example: examples/smoothers.cpp.
 struct TautString {
   static constexpr std::string_view name = "taut_string";
 
-  /// Errors: `invalid_input` for a curve that is no polyline or not free, `cancelled`,
+  /// Errors: `invalid_input` for a curve that is not a polyline or not free; `cancelled`;
   /// `budget_exhausted` while the route is checked.
   template <FeatureSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {

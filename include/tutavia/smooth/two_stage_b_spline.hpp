@@ -17,37 +17,39 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// TwoStageBSpline: a grid path's nodes moved off corners and obstacles, and a B-spline along them.
+/// TwoStageBSpline: moves a grid path's nodes off corners and obstacles, then fits a B-spline.
 
 namespace tutavia {
 
-/// Takes all nodes of a grid path for control points, moves them and runs a cubic B-spline along
+/// Takes all nodes of a grid path as control points, moves them, and runs a cubic B-spline along
 /// them.
 ///
-/// Stage 1, corner avoidance: a diagonal step beside a blocked cell goes through the free cell on
-/// its other side. Stage 2, obstacle avoidance: a node with blocked cells nearer than d0 moves away
-/// from them by the mean of f(d) = 1 / (a + b e^(c d)) over their distances d. Distances are
-/// between a node and centres of cells, in cells. A move that would leave free space is halved up
-/// to five times, then not made. Where the spline cannot be proved, legs get further control points
-/// until it can (see CornerSpline).
+/// Stage 1, corner avoidance: a diagonal step beside a blocked cell is replaced by two steps
+/// through the free cell on its other side. Stage 2, obstacle avoidance: a node with blocked cells
+/// nearer than d0 moves away from them by the mean of f(d) = 1 / (a + b e^(c d)) over their
+/// distances d. Distances are between a node and centres of cells, in cells. A move that would
+/// leave free space is halved up to five times, then dropped. If the spline cannot be proved, legs
+/// get additional control points until it can (see CornerSpline).
 ///
-/// Guarantees: the ends are exact and every piece is proved at the space's safety radius. A pass
-/// moves each node by at most 1 / (a + b) cells and so lengthens each leg by at most twice that:
-/// the result may be longer than its input by no more.
+/// Guarantees: the ends are exact and every piece is proved at the space's safety radius. The
+/// result may be longer than its input: each pass moves each node by at most 1 / (a + b) cells and
+/// so lengthens each leg by at most twice that.
 ///
 /// Source: Zhou, Shang, Wang, Zuo 2025, Appl. Sci. 15(10) 5583 (SSA), equations (10) to (20),
 /// algorithms 2 and 3; it gives no values for a, b, c and d0. See docs/algorithms.md.
+///
+/// Example: examples/smoothers.cpp.
 struct TwoStageBSpline {
   static constexpr std::string_view name = "two_stage_b_spline";
 
   double a = 0.5;
   double b = 0.5;
   double c = 1;    ///< per cell
-  double d0 = 2;   ///< blocked cells farther away do not count [cells]; at most 100
+  double d0 = 2;   ///< range of influence of blocked cells [cells]; at most 100
   int passes = 1;  ///< of stage 2
 
-  /// Errors: `invalid_option` for one that is negative, not finite or too large, `invalid_input`
-  /// for a curve that is no polyline or not free, what the budget says.
+  /// Errors: `invalid_option` for an option that is negative, not finite or too large;
+  /// `invalid_input` for a curve that is not a polyline or not free; those of the budget.
   template <ClearanceGridSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
@@ -84,28 +86,29 @@ struct TwoStageBSpline {
     return space.grid().contains(cell) && !space.grid().is_free(cell);
   }
 
-  /// The cell to go through instead of stepping from p to q, if the step is diagonal and passes a
-  /// blocked cell.
+  /// The detour through a free cell instead of the step from p to q, if the step is diagonal and
+  /// passes exactly one blocked cell.
   template <GridSpace S>
-  static std::optional<Point> way_round(const S& space, const Point& p, const Point& q) {
+  static std::optional<Point> detour(const S& space, const Point& p, const Point& q) {
     const Frame& frame = space.frame();
     const Cell from = frame.nearest_cell(p), to = frame.nearest_cell(q);
     if (std::abs(from.x - to.x) != 1 || std::abs(from.y - to.y) != 1) return std::nullopt;
     const Cell first{from.x, to.y}, second{to.x, from.y};
     const bool blocked = is_blocked(space, first);
-    if (blocked == is_blocked(space, second)) return std::nullopt;  // both: a squeeze, left alone
+    if (blocked == is_blocked(space, second))
+      return std::nullopt;  // a gap between two blocked cells stays
     const Point through = frame.point(blocked ? second : first);
     const bool free = space.segment_free(p, through) && space.segment_free(through, q);
     return free ? std::optional(through) : std::nullopt;
   }
 
-  /// Stage 1. The nodes of such a step go where their neighbours then see each other.
+  /// Stage 1. Nodes at the ends of such a step are removed if their neighbours then see each other.
   template <GridSpace S>
   static void avoid_corners(const S& space, std::vector<Point>& nodes) {
     std::vector<Point> result{nodes.front()};
     std::vector<bool> marked{false};
     for (std::size_t i = 1; i < nodes.size(); ++i) {
-      const auto through = way_round(space, nodes[i - 1], nodes[i]);
+      const auto through = detour(space, nodes[i - 1], nodes[i]);
       if (through) {
         marked.back() = true;
         result.push_back(*through);

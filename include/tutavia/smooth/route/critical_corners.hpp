@@ -9,14 +9,14 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// Critical corners: the obstacle corners that a path passes closely.
+/// critical_corners: the obstacle corners that a path passes closely.
 
 namespace tutavia::detail {
 
 /// The obstacle corners with an exterior angle of at least `min_exterior_angle` [rad], and the
 /// discs, whose safety zone comes within `threshold` [m] of the polyline `points`. Ordered by
-/// Corner::id, none twice. Source: Abdulshaheed 2025 (critical corners), read for round zones: the
-/// distance counts from the zone's arc around a vertex.
+/// Corner::id, without duplicates. Source: Abdulshaheed 2025 (critical corners), adapted to round
+/// zones: distances are measured from the zone's arc around a vertex.
 template <CornerSpace S>
 std::vector<Corner> critical_corners(const S& space, const std::vector<Point>& points,
                                      double threshold, double min_exterior_angle) {

@@ -6,10 +6,10 @@
 #include <cstddef>
 
 /// \file
-/// How far along a path one sees, by O(log n) lines of sight.
+/// The farthest node of a path in sight, found by O(log n) lines of sight.
 ///
-/// Sight need not be monotone along a path: the node found is in sight and its successor is not (or
-/// it is the last one), but there may be others in sight farther on.
+/// Sight need not be monotone along a path. The node found is in sight and its successor is hidden
+/// (or it is the last node), but nodes farther on may be in sight again.
 
 namespace tutavia::detail {
 
@@ -23,8 +23,8 @@ std::size_t bisect_sight(std::size_t seen, std::size_t hidden, const Sees& sees)
   return seen;
 }
 
-/// A node of (i, end] that is in sight, or i + 1: looks ahead in doubling steps until a node is
-/// hidden, then bisects. `sees(j)` says whether node j is in sight of node i. \pre i < end
+/// A node of (i, end] in sight, or i + 1: looks ahead in doubling steps until a node is hidden,
+/// then bisects. `sees(j)` tells whether node j is in sight of node i. \pre i < end
 template <std::predicate<std::size_t> Sees>
 std::size_t farthest_looking_ahead(std::size_t i, std::size_t end, const Sees& sees) {
   std::size_t seen = i + 1;
@@ -36,7 +36,7 @@ std::size_t farthest_looking_ahead(std::size_t i, std::size_t end, const Sees& s
   return seen;
 }
 
-/// The same, looking back from the end: it finds later nodes where sight opens again.
+/// The same from the end backwards; may find later nodes, where sight opens again.
 template <std::predicate<std::size_t> Sees>
 std::size_t farthest_looking_back(std::size_t i, std::size_t end, const Sees& sees) {
   std::size_t seen = end, hidden = end + 1;

@@ -8,13 +8,13 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// split_at_nodes: a grid path with all its nodes.
+/// split_at_nodes: splits a grid path at all its grid nodes.
 
 namespace tutavia::detail {
 
-/// The same curve, its straight runs between grid nodes cut into single steps: searches return runs
-/// whole, smoothers that choose among a path's nodes want them all. Curves in spaces without a grid
-/// stay as they are.
+/// The same curve with its straight runs between grid nodes split into single steps. Searches
+/// return whole runs; smoothers that choose among a path's nodes need all of them. Curves in spaces
+/// without a grid are returned unchanged.
 template <FreeSpace S>
 Curve split_at_nodes([[maybe_unused]] const S& space, const Curve& curve) {
   if constexpr (!GridSpace<S>) {

@@ -15,12 +15,12 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// What every smoother asks of its input first.
+/// Checks of a smoother's input.
 
 namespace tutavia::detail {
 
-/// Checks that every piece of a curve is proved free. `invalid_input` with the first piece that is
-/// not and its ends, what the budget says.
+/// Checks that every piece of a curve is proved free. Errors: `invalid_input` with the first piece
+/// that is not free and its ends; those of the budget.
 template <ClearanceSpace S>
 Expected<void, Failure> check_free(const S& space, const Curve& curve, const Budget& budget) {
   for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
@@ -36,41 +36,41 @@ Expected<void, Failure> check_free(const S& space, const Curve& curve, const Bud
   return {};
 }
 
-/// A curve with the nodes that a grid path passes for joints, every piece of it proved free.
-/// Errors: those of `check_free`.
+/// The curve split at grid nodes, with every piece proved free. Errors: those of `check_free`.
 template <ClearanceSpace S>
 Expected<Curve, Failure> free_steps(const S& space, const Curve& curve, const Budget& budget) {
   Curve split = split_at_nodes(space, curve);
   if (check_free(space, split, budget)) return split;
-  // A run can be free while a step of it, whose ends are rounded, is not.
+  // A run may be free although one of its steps, whose ends are rounded, is not.
   if (const auto free = check_free(space, curve, budget); !free) return Unexpected{free.error()};
   return curve;
 }
 
-/// `invalid_input` for a curve with pieces that are not straight, which `taker` does not take.
-inline Expected<void, Failure> check_polyline(const Curve& curve, std::string_view taker) {
+/// Checks that all pieces are straight. Errors: `invalid_input`, which names the smoother.
+inline Expected<void, Failure> check_polyline(const Curve& curve, std::string_view smoother) {
   const auto is_straight = [](const Piece& p) { return p.holds<Segment>(); };
   if (std::all_of(curve.pieces().begin(), curve.pieces().end(), is_straight)) return {};
-  return fail(PlanError::invalid_input, std::string(taker) + " takes polylines only");
+  return fail(PlanError::invalid_input, std::string(smoother) + " takes polylines only");
 }
 
-/// The joints of a polyline that is proved free. Errors: those of `check_polyline` and
+/// The waypoints of a polyline that is proved free. Errors: those of `check_polyline` and
 /// `check_free`.
 template <ClearanceSpace S>
 Expected<std::vector<Point>, Failure> free_polyline(const S& space, const Curve& curve,
-                                                    const Budget& budget, std::string_view taker) {
-  if (const auto straight = check_polyline(curve, taker); !straight) {
+                                                    const Budget& budget,
+                                                    std::string_view smoother) {
+  if (const auto straight = check_polyline(curve, smoother); !straight) {
     return Unexpected{straight.error()};
   }
   if (const auto free = check_free(space, curve, budget); !free) return Unexpected{free.error()};
   return waypoints(curve);
 }
 
-/// The same with the nodes that a grid path passes: every leg between two is proved.
+/// The same, split at grid nodes; every leg is proved.
 template <ClearanceSpace S>
 Expected<std::vector<Point>, Failure> free_nodes(const S& space, const Curve& curve,
-                                                 const Budget& budget, std::string_view taker) {
-  if (const auto straight = check_polyline(curve, taker); !straight) {
+                                                 const Budget& budget, std::string_view smoother) {
+  if (const auto straight = check_polyline(curve, smoother); !straight) {
     return Unexpected{straight.error()};
   }
   const auto curve_of_steps = free_steps(space, curve, budget);

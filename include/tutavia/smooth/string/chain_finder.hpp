@@ -20,28 +20,28 @@
 #include "tutavia/space/index/passing_radius.hpp"
 
 /// \file
-/// ChainFinder: what a string runs around when the bends between two others are taken out.
+/// ChainFinder: finds what a string runs around when the bends between two others are removed.
 
 namespace tutavia::detail {
 
-enum class PlaceInRing { inside, on, outside };
+enum class PointInRing { inside, on, outside };
 
-/// Where a point lies of a closed polyline, by the even-odd rule.
-inline PlaceInRing locate(const std::vector<Point>& ring, const Point& p) {
+/// The location of a point relative to a closed polyline, by the even-odd rule.
+inline PointInRing locate(const std::vector<Point>& ring, const Point& p) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
     const bool crosses = (a.y() > p.y()) != (b.y() > p.y());
     if (!crosses && !(a.y() == p.y() && b.y() == p.y())) continue;
     const int turn = orientation(a, b, p);
-    if (turn == 0 && Box::around({a, b}).contains(p)) return PlaceInRing::on;
+    if (turn == 0 && Box::around({a, b}).contains(p)) return PointInRing::on;
     if (crosses && (turn > 0) == (b.y() > a.y())) inside = !inside;
   }
-  return inside ? PlaceInRing::inside : PlaceInRing::outside;
+  return inside ? PointInRing::inside : PointInRing::outside;
 }
 
-/// Finds and proves the chain of circles between two bends A and C, from which the string came with
-/// turns to one `side`. In order: `find_obstacles`, then `wrap` until nothing blocks the chain.
+/// Finds and proves the chain of circles between two bends A and C. The bends removed between them
+/// turned to one `side`. Call `find_obstacles`, then `wrap` until nothing blocks the chain.
 template <FeatureSpace S>
 class ChainFinder {
  public:
@@ -49,13 +49,14 @@ class ChainFinder {
       : space_(space),
         string_(string),
         budget_(budget),
-        slack_(space.distance_error_bound()),
+        error_bound_(space.distance_error_bound()),
         radius_(passing_radius(space, 0)) {}
 
   const Chain& chain() const { return chain_; }
   std::size_t obstacle_count() const { return obstacles_.size(); }
 
-  /// Finds the circles that the string crosses on its way to the straight line between two bends.
+  /// Finds the circles that the string sweeps over when it is pulled to the straight line between
+  /// two bends.
   void find_obstacles(std::size_t a, std::size_t c, int side) {
     swept_.clear();
     for (std::size_t i = a; i != c; i = string_[i].next) {
@@ -67,23 +68,24 @@ class ChainFinder {
     }
     obstacles_.clear();
     near_.clear();
-    const OrientedBox band(swept_, string_.way_to(c).to);
+    const OrientedBox band(swept_, string_.edge_to(c).to);
     band.for_each_box(radius_, [&](const Box& box) {
       for_each_circle(box, side, [&](const OrientedCircle& circle) {
         if (band.is_far(circle.center, circle.radius)) return;
-        const bool is_inside = locate(swept_, circle.center) == PlaceInRing::inside;
+        const bool is_inside = locate(swept_, circle.center) == PointInRing::inside;
         (is_inside ? obstacles_ : near_).push_back(circle);
       });
     });
     filter_obstacles(a, c);
   }
 
-  /// Makes obstacles of the circles beside that come into the chain's ways; whether there are any.
+  /// Turns nearby circles that block the chain's edges into obstacles. Returns whether there are
+  /// any.
   bool add_blocking(std::size_t a, std::size_t c) {
     const std::size_t known = obstacles_.size();
     for (const OrientedCircle& circle : near_) {
-      for (const TangentLine& way : chain_.ways) {
-        if (circle.radius > 0 && blocks(circle, Segment{way.from, way.to})) {
+      for (const TangentLine& tangent : chain_.edges) {
+        if (circle.radius > 0 && blocks(circle, Segment{tangent.from, tangent.to})) {
           obstacles_.push_back(circle);
           break;
         }
@@ -93,37 +95,37 @@ class ChainFinder {
     return obstacles_.size() > known;
   }
 
-  /// Makes a chain from A to C around the obstacles: first to what lies farthest to the outer side
-  /// of the straight way, then always on to what asks for the smallest turn, and to the nearest of
-  /// these. A circle that is large may come in more than once.
+  /// Builds a chain from A to C around the obstacles by gift wrapping: first to the obstacle
+  /// farthest to the outer side of the straight line, then always to the one with the smallest
+  /// turn, the nearest of ties. A large circle may occur more than once.
   bool wrap(std::size_t a, std::size_t c, int side) {
     chain_.circles.clear();
-    chain_.ways.clear();
+    chain_.edges.clear();
     OrientedCircle from = string_[a].circle;
     const auto straight = tangent_line(from, string_[c].circle);
     Point direction = straight ? straight->direction : string_[a].out.direction;
     std::size_t at = obstacles_.size();
-    while (chain_.ways.size() <= 2 * obstacles_.size() + 1) {
-      if (chain_.ways.size() % 16 == 15 && budget_.exceeded()) return false;
+    while (chain_.edges.size() <= 2 * obstacles_.size() + 1) {
+      if (chain_.edges.size() % 16 == 15 && budget_.exceeded()) return false;
       double least = std::numeric_limits<double>::infinity();
       std::optional<TangentLine> best;
       std::size_t chosen = obstacles_.size();
       for (std::size_t i = 0; i <= obstacles_.size(); ++i) {
         if (i == at && i < obstacles_.size()) continue;
-        const auto way =
+        const auto tangent =
             tangent_line(from, i < obstacles_.size() ? obstacles_[i] : string_[c].circle);
-        if (!way) continue;
-        double turn = side * turn_angle(direction, way->direction);
-        const bool is_first = straight && chain_.ways.empty();
+        if (!tangent) continue;
+        double turn = side * turn_angle(direction, tangent->direction);
+        const bool is_first = straight && chain_.edges.empty();
         if (!is_first && turn < -1e-6) turn += 2 * std::numbers::pi;
-        if (turn < least - 1e-12 || (turn < least + 1e-12 && way->length < best->length)) {
+        if (turn < least - 1e-12 || (turn < least + 1e-12 && tangent->length < best->length)) {
           least = turn;
-          best = way;
+          best = tangent;
           chosen = i;
         }
       }
       if (!best || least > std::numbers::pi) return false;
-      chain_.ways.push_back(*best);
+      chain_.edges.push_back(*best);
       direction = best->direction;
       if (chosen == obstacles_.size()) return true;
       at = chosen;
@@ -133,28 +135,28 @@ class ChainFinder {
     return false;
   }
 
-  /// Whether the chain, on its way from A to C, turns by as much as the string does: with a whole
-  /// turn more or less it would wind around something that the string does not.
+  /// Whether the chain from A to C turns by as much as the string does. If the turns differ by a
+  /// full turn, the chain winds around something that the string does not.
   bool turns_as_before(std::size_t a, std::size_t c, int side) const {
     double before = 0, after = 0;
     for (std::size_t i = string_[a].next; i != c; i = string_[i].next) {
       before += string_[i].is_pin
-                    ? turn_angle(string_.way_to(i).direction, string_[i].out.direction)
+                    ? turn_angle(string_.edge_to(i).direction, string_[i].out.direction)
                     : string_[i].turn;
     }
     Point direction = string_[a].out.direction;
-    for (const TangentLine& way : chain_.ways) {
-      after += turn_angle(direction, way.direction);
-      direction = way.direction;
+    for (const TangentLine& tangent : chain_.edges) {
+      after += turn_angle(direction, tangent.direction);
+      direction = tangent.direction;
     }
-    after += turn_angle(direction, string_.way_to(c).direction);
-    // A way straight back may count as a turn to either side.
+    after += turn_angle(direction, string_.edge_to(c).direction);
+    // A reversal may count as a turn to either side.
     const double gap = std::abs(before - after);
     return gap < 1e-6 || (gap > 2 * std::numbers::pi - 1e-6 && side * before > 0 &&
                           std::abs(std::abs(before) - std::numbers::pi) < 1e-6);
   }
 
-  /// Whether all new pieces are proved; the circles that block one that is not become obstacles.
+  /// Whether all new pieces are proved. Circles that block an unproved piece become obstacles.
   bool is_proved(std::size_t a, std::size_t c, int side) {
     bool proved = true;
     for_each_new_piece(a, c, [&](const auto& piece) {
@@ -169,7 +171,7 @@ class ChainFinder {
   }
 
  private:
-  /// Calls `visit(circle)` for the circles around the vertices and discs near a box.
+  /// Calls `visit(circle)` for the circles around vertices and discs near a box.
   template <class Visit>
   void for_each_circle(const Box& box, int side, Visit visit) const {
     space_.for_each_feature(box.inflated(radius_), [&](const Segment& core, double radius) {
@@ -178,7 +180,7 @@ class ChainFinder {
     });
   }
 
-  /// Drops obstacles that count twice, are bends already or lie within others.
+  /// Removes obstacles that are duplicates, are bends already or lie within others.
   void filter_obstacles(std::size_t a, std::size_t c) {
     const auto before = [](const OrientedCircle& p, const OrientedCircle& q) {
       if (p.center.x() != q.center.x()) return p.center.x() < q.center.x();
@@ -209,48 +211,50 @@ class ChainFinder {
     std::swap(obstacles_, kept_);
   }
 
-  /// Calls `visit(piece)` for all that the chain brings in: its ways and arcs, and the arcs around
-  /// A and C as they become where they grow.
+  /// Calls `visit(piece)` for all new pieces: the chain's edges and arcs, and the arcs around A and
+  /// C if they become longer.
   template <class Visit>
   void for_each_new_piece(std::size_t a, std::size_t c, Visit visit) const {
     const auto arcs = [&](const OrientedCircle& circle, const Point& in, const Point& out,
-                          double turn) { for_each_arc(circle, in, out, turn, slack_, visit); };
-    for (const TangentLine& way : chain_.ways) visit(Segment{way.from, way.to});
+                          double turn) {
+      for_each_arc(circle, in, out, turn, error_bound_, visit);
+    };
+    for (const TangentLine& tangent : chain_.edges) visit(Segment{tangent.from, tangent.to});
     for (std::size_t i = 0; i < chain_.circles.size(); ++i) {
-      const TangentLine &in = chain_.ways[i], &out = chain_.ways[i + 1];
+      const TangentLine &in = chain_.edges[i], &out = chain_.edges[i + 1];
       arcs(chain_.circles[i], in.to, out.from, chain_.turn(i));
     }
     const auto grown = [&](std::size_t i, const Point& in, const Point& out, double turn) {
       if (std::abs(turn) > std::abs(string_[i].turn)) arcs(string_[i].circle, in, out, turn);
     };
     if (!string_[a].is_pin)
-      grown(a, string_.way_to(a).to, chain_.ways.front().from, string_.turn_after(a, chain_));
+      grown(a, string_.edge_to(a).to, chain_.edges.front().from, string_.turn_after(a, chain_));
     if (!string_[c].is_pin)
-      grown(c, chain_.ways.back().to, string_[c].out.from, string_.turn_before(c, chain_));
+      grown(c, chain_.edges.back().to, string_[c].out.from, string_.turn_before(c, chain_));
   }
 
-  /// Whether a circle comes into a piece. Circles that are points do not; what blocks the string
-  /// then may be one that it touched all the time.
-  bool blocks(const OrientedCircle& circle, const Segment& way) const {
-    if (circle.radius == 0) return locate(swept_, circle.center) == PlaceInRing::on;
-    const Point along{way.b.x() - way.a.x(), way.b.y() - way.a.y()};
-    const Point across{circle.center.x() - way.a.x(), circle.center.y() - way.a.y()};
+  /// Whether a circle blocks a piece. A circle of radius 0 blocks only if it lies on the border of
+  /// the swept area: the string may have touched it all the time.
+  bool blocks(const OrientedCircle& circle, const Segment& edge) const {
+    if (circle.radius == 0) return locate(swept_, circle.center) == PointInRing::on;
+    const Point along{edge.b.x() - edge.a.x(), edge.b.y() - edge.a.y()};
+    const Point across{circle.center.x() - edge.a.x(), circle.center.y() - edge.a.y()};
     return circle.side * cross(along, across) >= 0 &&
-           distance(circle.center, way) < circle.radius - slack_;
+           distance(circle.center, edge) < circle.radius - error_bound_;
   }
   bool blocks(const OrientedCircle& circle, const Arc& arc) const {
     return closest_approach(arc, Segment{circle.center, circle.center}).distance <
-           circle.radius - slack_;
+           circle.radius - error_bound_;
   }
 
   const S& space_;
   const StringBends& string_;
   const Budget& budget_;
-  double slack_;
-  double radius_;                          // of the circles around vertices
-  std::vector<Point> swept_;               // the border of what the string crosses, closed
-  std::vector<OrientedCircle> obstacles_;  // circles within it
-  std::vector<OrientedCircle> near_;       // circles beside it
+  double error_bound_;
+  double radius_;                          // radius of circles around vertices
+  std::vector<Point> swept_;               // border of the area that the string sweeps, closed
+  std::vector<OrientedCircle> obstacles_;  // circles inside it
+  std::vector<OrientedCircle> near_;       // circles near it
   std::vector<OrientedCircle> kept_;
   Chain chain_;
 };

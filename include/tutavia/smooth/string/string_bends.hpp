@@ -12,26 +12,28 @@
 #include "tutavia/geometry/tangent/tangent_line.hpp"
 
 /// \file
-/// StringBends: a string as the bends that it runs around.
+/// StringBends: a string as a linked list of bends.
 
 namespace tutavia::detail {
 
-/// The circles that take the place of bends between two others, A and C, and the tangents from A to
-/// the first ... and on to C.
+/// The circles that replace the bends between two others, A and C, and the tangent edges from A via
+/// the circles to C.
 struct Chain {
   std::vector<OrientedCircle> circles;
-  std::vector<TangentLine> ways;
+  std::vector<TangentLine> edges;
 
-  /// By how much the string turns around a circle, left positive [rad].
-  double turn(std::size_t i) const { return turn_angle(ways[i].direction, ways[i + 1].direction); }
+  /// The turn around a circle, left positive [rad].
+  double turn(std::size_t i) const {
+    return turn_angle(edges[i].direction, edges[i + 1].direction);
+  }
 };
 
 inline bool same_circle(const OrientedCircle& a, const OrientedCircle& b) {
   return a.center == b.center && a.radius == b.radius;
 }
 
-/// A string around pins (the path's own vertices) and circles, a list of bends by number. It begins
-/// at bend 0 and ends at bend `last()`.
+/// A string around pins (the path's own vertices) and circles, as a list of numbered bends. It
+/// starts at bend 0 and ends at bend `last()`.
 class StringBends {
  public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -44,7 +46,7 @@ class StringBends {
     std::size_t previous, next;
   };
 
-  /// Along a polyline, pinned at every point.
+  /// A string along a polyline, pinned at every point.
   explicit StringBends(const std::vector<Point>& nodes) {
     bends_.reserve(2 * nodes.size());
     for (const Point& p : nodes) {
@@ -53,7 +55,7 @@ class StringBends {
       bends_.push_back({{p, 0, 1}, true, 0, {}, i == 0 ? none : i - 1, none});
       if (i == 0) continue;
       bends_[i - 1].next = i;
-      // None between points whose distance vanishes in rounding.
+      // Stands for the tangent if the distance vanishes in rounding.
       const TangentLine nowhere{bends_[i - 1].circle.center, p, {1, 0}, 0};
       bends_[i - 1].out = tangent_line(bends_[i - 1].circle, bends_[i].circle).value_or(nowhere);
     }
@@ -62,24 +64,24 @@ class StringBends {
 
   std::size_t last() const { return last_; }
   const Bend& operator[](std::size_t i) const { return bends_[i]; }
-  /// From the bend before.
-  const TangentLine& way_to(std::size_t i) const { return bends_[bends_[i].previous].out; }
+  /// The edge from the previous bend.
+  const TangentLine& edge_to(std::size_t i) const { return bends_[bends_[i].previous].out; }
   int side_of_turn(std::size_t i) const {
     const double turn =
-        bends_[i].is_pin ? cross(way_to(i).direction, bends_[i].out.direction) : bends_[i].turn;
+        bends_[i].is_pin ? cross(edge_to(i).direction, bends_[i].out.direction) : bends_[i].turn;
     return turn >= 0 ? 1 : -1;
   }
   bool is_taut(std::size_t i) const {
     return !bends_[i].is_pin && bends_[i].turn * bends_[i].circle.side >= 0;
   }
 
-  Curve curve(double slack) const {
+  Curve curve(double error_bound) const {
     Curve curve;
     Point at = bends_[0].circle.center;
     for (std::size_t i = 0; i != last_ && last_ != 0; i = bends_[i].next) {
       const Bend& bend = bends_[i];
-      // Within the allowance of its construction a bend that hardly turns has no arc.
-      for_each_arc(bend.circle, at, bend.out.from, bend.turn, slack, [&](const Arc& arc) {
+      // A bend that turns by less than the construction's error has no arc.
+      for_each_arc(bend.circle, at, bend.out.from, bend.turn, error_bound, [&](const Arc& arc) {
         curve.push_back(arc);
         at = arc.b;
       });
@@ -90,19 +92,19 @@ class StringBends {
     return curve;
   }
 
-  /// What A and C turn with a chain between them.
+  /// The turns of A and C if the chain is put between them.
   double turn_after(std::size_t a, const Chain& chain) const {
-    return bends_[a].turn + turn_angle(bends_[a].out.direction, chain.ways.front().direction);
+    return bends_[a].turn + turn_angle(bends_[a].out.direction, chain.edges.front().direction);
   }
   double turn_before(std::size_t c, const Chain& chain) const {
-    return bends_[c].turn + turn_angle(chain.ways.back().direction, way_to(c).direction);
+    return bends_[c].turn + turn_angle(chain.edges.back().direction, edge_to(c).direction);
   }
 
-  /// Whether two bends are pins at one point: the string between them goes out and back again.
+  /// Whether two bends are pins at one point, so that the string between them goes out and back.
   bool is_spur(std::size_t a, std::size_t c) const {
     return bends_[a].is_pin && bends_[c].is_pin && same_circle(bends_[a].circle, bends_[c].circle);
   }
-  /// Removes all between two such pins, and one of them. Returns the bend before what is new.
+  /// Removes everything between two such pins, and one of them. Returns the bend before the change.
   std::size_t close_spur(std::size_t a, std::size_t c) {
     if (c != last_) {
       bends_[a].out = bends_[c].out;
@@ -117,7 +119,7 @@ class StringBends {
     return a;
   }
 
-  /// Puts the chain in the place of all between two bends, unless that makes the string longer.
+  /// Replaces everything between two bends by the chain, unless that makes the string longer.
   bool replace(std::size_t a, std::size_t c, const Chain& chain) {
     const double turn_a = bends_[a].is_pin ? 0 : turn_after(a, chain);
     const double turn_c = bends_[c].is_pin ? 0 : turn_before(c, chain);
@@ -126,20 +128,20 @@ class StringBends {
       before += length_around(i, bends_[i].turn) + bends_[i].out.length;
     }
     double after = length_around(a, turn_a) + length_around(c, turn_c);
-    for (const TangentLine& way : chain.ways) after += way.length;
+    for (const TangentLine& edge : chain.edges) after += edge.length;
     for (std::size_t i = 0; i < chain.circles.size(); ++i) {
       after += chain.circles[i].radius * std::abs(chain.turn(i));
     }
-    // Each pull shortens the string or takes a bend out of it: it comes to an end.
+    // Each pull shortens the string or removes a bend, so pulling terminates.
     const double least = 1e-12 * before;
     if (!(after < before - least || (chain.circles.empty() && after <= before + least))) {
       return false;
     }
     bends_[a].turn = turn_a;
     bends_[c].turn = turn_c;
-    bends_[a].out = chain.ways[0];
+    bends_[a].out = chain.edges[0];
     for (std::size_t i = 0; i < chain.circles.size(); ++i) {
-      bends_.push_back({chain.circles[i], false, chain.turn(i), chain.ways[i + 1], none, none});
+      bends_.push_back({chain.circles[i], false, chain.turn(i), chain.edges[i + 1], none, none});
       link(a, bends_.size() - 1);
       a = bends_.size() - 1;
     }

@@ -12,27 +12,28 @@
 #include "tutavia/smooth/string/string_bends.hpp"
 
 /// \file
-/// How a string is pulled taut.
+/// TautStringSolver: pulls a string taut.
 
 namespace tutavia::detail {
 
-/// A string along a polyline that is pulled tight bend by bend and stays proved throughout.
+/// A string along a polyline, which is pulled taut bend by bend. Every intermediate string is
+/// proved free.
 ///
-/// Bends are pins (the path's own joints) and circles of the safety radius around obstacle vertices
-/// (around discs: larger ones). A bend that is not taut is taken out: the string between its
-/// neighbours A and C then runs straight, or around the circles that lie in the way.
+/// Bends are pins (the path's own waypoints) and circles of the safety radius around obstacle
+/// vertices (around discs: larger ones). A bend that is not taut is removed: the string between its
+/// neighbours A and C then runs straight, or around the circles in between.
 template <FeatureSpace S>
 class TautStringSolver {
  public:
   TautStringSolver(const S& space, const std::vector<Point>& nodes, const Budget& budget)
       : budget_(budget),
-        slack_(space.distance_error_bound()),
+        error_bound_(space.distance_error_bound()),
         string_(nodes),
         finder_(space, string_, budget) {}
   TautStringSolver(const TautStringSolver&) = delete;
   TautStringSolver& operator=(const TautStringSolver&) = delete;
 
-  /// Pulls until every bend is taut or cannot be pulled in a proved way.
+  /// Pulls until every bend is taut or has no proved pull.
   std::optional<PlanError> pull() {
     for (std::size_t b = string_[0].next; b != none && b != string_.last();) {
       if (const auto exceeded = budget_.exceeded()) return to_error(*exceeded);
@@ -42,13 +43,13 @@ class TautStringSolver {
     return std::nullopt;
   }
 
-  Curve curve() const { return string_.curve(slack_); }
+  Curve curve() const { return string_.curve(error_bound_); }
 
  private:
   static constexpr std::size_t none = StringBends::none;
 
-  /// Takes a bend out, if what replaces it is proved and no longer; with it the neighbours that the
-  /// string then lifts off. Returns the bend before what is new.
+  /// Removes a bend, and neighbours from which the string then lifts off, if the replacement is
+  /// proved and no longer. Returns the bend before the change.
   std::optional<std::size_t> remove_bend(std::size_t b) {
     std::size_t a = string_[b].previous, c = string_[b].next;
     if (string_.is_spur(a, c)) return string_.close_spur(a, c);
@@ -82,7 +83,7 @@ class TautStringSolver {
   }
 
   const Budget& budget_;
-  double slack_;
+  double error_bound_;
   StringBends string_;
   ChainFinder<S> finder_;
 };

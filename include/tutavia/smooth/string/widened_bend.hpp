@@ -11,40 +11,40 @@
 #include "tutavia/geometry/tangent/tangent_line.hpp"
 
 /// \file
-/// ClothoidSmoother::Spirals in the place of one bend of a string.
+/// WidenedBend: the spirals that replace one bend of a string.
 
 namespace tutavia::detail {
 
-/// What takes a bend's place.
+/// The shape that replaces a bend.
 struct BendShape {
   enum class Form {
-    arc,     ///< of the circle that the ways touch; with radius 0: the corner
-    pair,    ///< two spirals that are mirror images
+    arc,     ///< an arc of the enlarged circle; with radius 0: the corner
+    pair,    ///< two mirrored spirals
     spirals  ///< two spirals with an arc between them
   };
 
   Form form = Form::arc;
-  double radius = 0;  ///< the least [m]
+  double radius = 0;  ///< least radius of curvature [m]
   double turn = 0;    ///< of each spiral [rad]
-  double leg = 0;     ///< from where they begin to where the way touches the circle [m]
+  double leg = 0;     ///< from the shape's start to the edge's tangent point [m]
 };
 
-/// A straight way into or out of a bend's shape: where they meet, and its direction.
+/// An end of a bend's shape on a straight edge: its position and the edge's direction.
 struct BendEnd {
-  Point place, direction;
+  Point position, direction;
 };
 
-/// A bend of a string around a circle that was made larger.
+/// A bend of a string around an enlarged circle.
 struct WidenedBend {
-  OrientedCircle circle;  ///< that the ways touch
-  double core_radius;     ///< of the circle as it was [m]
-  double inner_radius;    ///< how near spirals may come to its centre [m]
+  OrientedCircle circle;  ///< the enlarged circle, which the edges touch
+  double core_radius;     ///< of the original circle [m]
+  double inner_radius;    ///< least distance of spirals from its centre [m]
   double turn;            ///< left positive [rad]
-  bool has_beziers;       ///< cubic Bezier spirals in the place of clothoids; pairs alone
+  bool has_beziers;       ///< cubic Bezier spirals instead of clothoids; pairs only
 
-  /// Bends that turn further have no pair [rad].
+  /// Bends that turn by more have no pair [rad].
   static constexpr double widest_pair = 0.9 * std::numbers::pi;
-  /// ClothoidSmoother::Spirals that turn by less are no gentler than a jump of the curvature [rad].
+  /// Spirals that turn by less are no gentler than a jump of the curvature [rad].
   static constexpr double least_turn = 0.01;
 
   double turn_magnitude() const { return circle.side * turn; }
@@ -54,12 +54,12 @@ struct WidenedBend {
                        : ClothoidPair::of_clothoids(turn_magnitude());
   }
 
-  /// The gentlest shape that takes at most `room` of the ways before and after the bend; an arc
-  /// where no other has a radius of `least_radius` or more.
+  /// The gentlest shape that takes at most `room` of the edges before and after the bend. An arc if
+  /// no other shape has a radius of at least `least_radius`.
   BendShape gentlest_shape(double room, double least_radius) const;
 
-  /// Calls `visit(piece)` for the pieces of a shape between two ways. \pre the shape is one of
-  /// this bend, and both ends lie where it says
+  /// Calls `visit(piece)` for the pieces of a shape between two edges. \pre the shape is one of
+  /// this bend, and both ends lie as it requires
   template <class Visit>
   void for_each_piece(const BendShape& shape, const BendEnd& in, const BendEnd& out,
                       double tolerance, Visit visit) const;
@@ -75,10 +75,10 @@ inline BendShape WidenedBend::gentlest_shape(double room, double least_radius) c
     const ClothoidPair pair = unit_pair();
     const double to_corner = circle.radius / std::cos(turn_magnitude() / 2);
     const double touch =
-        circle.radius * std::tan(turn_magnitude() / 2);  // from there to the corner
+        circle.radius * std::tan(turn_magnitude() / 2);  // from the tangent point to the corner
     const double radius =
         std::min((to_corner - inner_radius) / pair.drop, (room + touch) / pair.leg);
-    // Inside the circle that the ways touch: no longer than its arc.
+    // Inside the enlarged circle: no longer than its arc.
     const bool is_inside = radius * pair.drop >= to_corner - circle.radius;
     if (radius >= std::max(inner_radius, least_radius) && is_inside) {
       return {BendShape::Form::pair, radius, turn_magnitude() / 2, radius * pair.leg - touch};
@@ -87,12 +87,12 @@ inline BendShape WidenedBend::gentlest_shape(double room, double least_radius) c
   return has_beziers ? arc() : spirals(room, least_radius);
 }
 
-/// ClothoidSmoother::Spirals on to an arc around the same centre, as long as there is room and the
-/// arc keeps off the old circle; the arc alone where they would be too short.
+/// Spirals onto an arc around the same centre, if there is room and the arc clears the original
+/// circle. The arc alone if they would be too short.
 inline BendShape WidenedBend::spirals(double room, double least_radius) const {
   const double least = std::max(inner_radius, least_radius);
-  // What the centre is moved by is nearly as the square of the turn, and its place along the way
-  // as the turn: a few steps of scaling find what fits.
+  // The shift of the centre grows nearly as the square of the turn, and its position along the edge
+  // as the turn, so a few scaling steps find what fits.
   double spiral = std::min({turn_magnitude() / 2, std::sqrt(6 * (circle.radius / least - 1)), 1.5});
   for (int k = 0; k < 6 && spiral > least_turn; ++k) {
     const UnitClothoid unit = UnitClothoid::turning(spiral);
@@ -108,7 +108,7 @@ inline BendShape WidenedBend::spirals(double room, double least_radius) const {
 template <class Visit>
 void WidenedBend::for_each_piece(const BendShape& shape, const BendEnd& in, const BendEnd& out,
                                  double tolerance, Visit visit) const {
-  Point at = in.place;
+  Point at = in.position;
   const auto visit_arcs = [&](double radius, const Point& to, double turns) {
     for_each_arc({circle.center, radius, circle.side}, at, to, turns, tolerance,
                  [&](const Arc& arc) {
@@ -117,23 +117,24 @@ void WidenedBend::for_each_piece(const BendShape& shape, const BendEnd& in, cons
                  });
   };
   if (shape.form == BendShape::Form::arc) {
-    visit_arcs(circle.radius, out.place, turn);
-    if (at != out.place) visit(Segment{at, out.place});
+    visit_arcs(circle.radius, out.position, turn);
+    if (at != out.position) visit(Segment{at, out.position});
     return;
   }
   if (has_beziers) {
     const double leg = shape.leg + circle.radius * std::tan(turn_magnitude() / 2);
-    auto pair =
-        bezier_spirals(offset_along(in.place, leg, in.direction), in.direction, out.direction, leg);
-    pair[0].points.front() = in.place;
-    pair[1].points.back() = out.place;
+    auto pair = bezier_spirals(offset_along(in.position, leg, in.direction), in.direction,
+                               out.direction, leg);
+    pair[0].points.front() = in.position;
+    pair[1].points.back() = out.position;
     visit(pair[0]);
     visit(pair[1]);
     return;
   }
   const double bent = circle.side / shape.radius, length = 2 * shape.turn * shape.radius;
-  const Clothoid before = Clothoid::from(in.place, heading(in.direction), 0, bent / length, length);
-  Clothoid after = Clothoid::from(out.place, heading(out.direction) + std::numbers::pi, 0,
+  const Clothoid before =
+      Clothoid::from(in.position, heading(in.direction), 0, bent / length, length);
+  Clothoid after = Clothoid::from(out.position, heading(out.direction) + std::numbers::pi, 0,
                                   -bent / length, length)
                        .reversed();
   visit(before);
