@@ -18,13 +18,13 @@
 #include "tutavia/search/query_checks.hpp"
 
 /// \file
-/// SalpSwarm: looks for the least value of a function within bounds.
+/// SalpSwarm: minimises a function within bounds.
 
 namespace tutavia {
 
 namespace detail {
 
-/// What a swarm minimises: a function of numbers that several threads may call at once.
+/// A function to minimise, which several threads may call at once.
 template <class F>
 concept SwarmObjective = requires(const F& value, std::span<const double> position) {
   { value(position) } -> std::convertible_to<double>;
@@ -32,26 +32,27 @@ concept SwarmObjective = requires(const F& value, std::span<const double> positi
 
 }  // namespace detail
 
-/// The salp swarm algorithm: some salps lead, looking around the best place known within a reach
-/// that shrinks, the others follow one another in a chain. A heuristic without guarantees, but that
-/// the best place known never gets worse.
+/// The salp swarm algorithm. Leading salps explore around the best position known, within a radius
+/// that shrinks; the others follow one another in a chain. A heuristic whose only guarantee is that
+/// the best position never gets worse.
 ///
-/// Positions are drawn in turn and valued in parallel, so the result depends on the seed alone.
+/// Positions are drawn in sequence and evaluated in parallel, so the result depends on the seed
+/// alone.
 ///
-/// Source: Mirjalili et al. 2017, "Salp swarm algorithm", equations (3.1) to (3.4); the pseudo-code
-/// of the SSA-A* paper, which is another algorithm, by `variant`.
+/// Source: Mirjalili et al. 2017, "Salp swarm algorithm", equations (3.1) to (3.4). `variant`
+/// selects the pseudo-code of the SSA-A* paper, which is a different algorithm.
 struct SalpSwarm {
-  /// The best place that a swarm found.
+  /// The best position that a swarm found.
   struct Result {
     std::vector<double> best{};
     double value = std::numeric_limits<double>::infinity();
-    /// The least value known after the first positions and after each iteration.
+    /// The least value after the initial positions and after each iteration.
     std::vector<double> training{};
   };
 
   enum class Variant {
     equations,   ///< leaders and a chain of followers
-    pseudo_code  ///< each salp either near the best place (within 0.3) or half-way to it
+    pseudo_code  ///< each salp moves near the best position (within 0.3) or half-way to it
   };
 
   Variant variant = Variant::equations;
@@ -61,12 +62,12 @@ struct SalpSwarm {
   std::uint64_t seed = 0;
   unsigned threads = 0;  ///< 0: one per core
 
-  /// The least of `value`, a function of as many numbers as there are bounds, called by several
-  /// threads at once. NaN counts as infinite.
+  /// Minimises `value`, a function of as many numbers as there are bounds. Several threads call it
+  /// at once. NaN counts as infinite.
   ///
   /// Errors: `invalid_option` for no population, iterations or leaders and for more leaders than
-  /// salps, `invalid_input` for bounds that are not finite, reversed or of different number; what
-  /// the budget says.
+  /// salps; `invalid_input` for bounds that are not finite, reversed or of different number; those
+  /// of the budget.
   template <detail::SwarmObjective F>
   Expected<Result, Failure> minimise(const F& value, std::span<const double> lower,
                                      std::span<const double> upper,
@@ -129,7 +130,7 @@ Expected<SalpSwarm::Result, Failure> SalpSwarm::minimise(const F& value,
     return fail(PlanError::invalid_input, "as many lower as upper bounds are needed");
   }
   for (std::size_t j = 0; j < lower.size(); ++j) {
-    // Sums with what a leader steps must stay finite, too.
+    // Sums with a leader's step must stay finite, too.
     constexpr double most = std::numeric_limits<double>::max() / 8;
     if (!(-most <= lower[j] && lower[j] <= upper[j] && upper[j] <= most)) {
       return fail(PlanError::invalid_input, "bounds " + std::to_string(j) + " make no interval");

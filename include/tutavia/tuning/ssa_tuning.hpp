@@ -15,20 +15,20 @@
 #include "tutavia/tuning/salp_swarm.hpp"
 
 /// \file
-/// tune_ssa: the weights of SSA-A* for maps of a kind.
+/// tune_ssa: tunes the weights of SSA-A* for a class of maps.
 
 namespace tutavia {
 
-/// Where and how weights are tuned.
+/// The ranges of the weights and the options of the tuning.
 struct SsaTraining {
-  SsaAStar::Weights lower{0.5, 0.5, 0.1}, upper{2, 2, 1};  ///< what the paper searches
+  SsaAStar::Weights lower{0.5, 0.5, 0.1}, upper{2, 2, 1};  ///< the paper's ranges
   SalpSwarm swarm{};
-  /// Expansions, as a share of those of A*, that a path which is longer than the shortest by its
-  /// whole length counts like; 0: the paper's fitness, expansions alone.
+  /// Penalty for excess length: a path twice as long as the shortest costs as much as this fraction
+  /// of A*'s expansions. 0: the paper's fitness, expansions alone.
   double length_penalty = 0;
 };
 
-/// Weights, and how they were found.
+/// Weights, and the course of their tuning.
 struct TunedWeights {
   SsaAStar::Weights weights{};
   double fitness = 0;
@@ -37,7 +37,7 @@ struct TunedWeights {
 
 namespace detail {
 
-/// What A* with the Euclidean heuristic needs for a training query.
+/// Expansions and shortest length of A* with the Euclidean heuristic on a training query.
 struct SsaReference {
   double expanded, shortest;
 };
@@ -61,7 +61,7 @@ Expected<std::vector<SsaReference>, Failure> ssa_references(std::span<const S> s
   return references;
 }
 
-/// The mean over all queries of what `search` needs, as a share of the reference.
+/// The mean cost of `search` over all queries, relative to the references.
 template <GridSpace S>
 double ssa_fitness(const SsaAStar& search, std::span<const S> spaces,
                    std::span<const Query> queries, std::span<const SsaReference> references,
@@ -85,13 +85,14 @@ double ssa_fitness(const SsaAStar& search, std::span<const S> spaces,
 
 }  // namespace detail
 
-/// The weights with which SSA-A* does its queries with the fewest expansions: the mean over all of
-/// its expansions over those of A* with the Euclidean heuristic, so that large maps count like
-/// small ones, plus `length_penalty` times the excess of length. Query i is on space i.
+/// The weights with which SSA-A* solves its queries with the fewest expansions. Minimises the mean,
+/// over all queries, of its expansions over those of A* with the Euclidean heuristic, so that large
+/// maps count like small ones, plus `length_penalty` times the relative excess of length. Query i
+/// is on space i.
 ///
-/// Errors: `invalid_input` for no spaces, for another number of queries, and for a query that A*
-/// has no path for (named by its index); `invalid_option` for a penalty that is negative; those of
-/// SalpSwarm::minimise; weights as for SsaAStar.
+/// Errors: `invalid_input` for no spaces, for another number of queries, and for a query for which
+/// A* finds no path (named by its index); `invalid_option` for a negative penalty and for weights
+/// as in SsaAStar; those of SalpSwarm::minimise.
 template <GridSpace S>
 Expected<TunedWeights, Failure> tune_ssa(std::span<const S> spaces, std::span<const Query> queries,
                                          const SsaTraining& training = {}) {
