@@ -20,11 +20,11 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// CellSpace: the free space among the blocked cells of a grid.
+/// CellSpace: the free space between the blocked cells of a grid.
 
 namespace tutavia {
 
-/// Where the cells lie, and how far to keep from the blocked ones.
+/// Position and size of the cells, safety radius and movement rule.
 struct CellOptions {
   double resolution = 1;         ///< side of a cell [m]
   Point origin = Point::Zero();  ///< lower left corner of cell (0, 0) [m]
@@ -32,31 +32,31 @@ struct CellOptions {
   MovementRule movement = MovementRule::no_cut;
 };
 
-/// The points of a grid's rectangle at `safety_radius` or more from every blocked cell, a cell
-/// being a closed square; and the grid of those cells whose centres a robot may pass.
+/// The points of a grid's rectangle at `safety_radius` or more from every blocked cell, a closed
+/// square; and the grid of the cells whose centres are free.
 ///
-/// At radius 0 the robot is a point, which may touch blocked cells and slide along them, but not
-/// pass where two of them share an edge, nor along the border of the map where a blocked cell is.
-/// Every step between free cells lies in free space: under `no_cut` and `four_connected` the
-/// centres' clearances are enough for that, under the other rules a positive radius asks for
-/// sqrt(r^2 + resolution^2 / 2) at the centres.
+/// At radius 0 the robot is a point. It may touch blocked cells and slide along them, but may not
+/// move along an edge that two blocked cells share, or that a blocked cell shares with the border
+/// of the map. Every step between free cells lies in free space: under `no_cut` and
+/// `four_connected` a clearance of r at the centres suffices; under the other rules a positive
+/// radius requires sqrt(r^2 + resolution^2 / 2).
 ///
-/// Origin and resolution are rounded (the latter up) to a binary fraction such that the coordinates
+/// Origin and resolution are rounded (the latter up) to binary fractions, so that the coordinates
 /// of all corners and centres are exact: the origin moves by less than 2^-50 of the largest
-/// coordinate, and a cell grows by less than 2^-49 of it.
-/// Questions are decided exactly: a corridor just as wide as the robot is free. Immutable: one
-/// object serves any number of threads.
+/// coordinate, and a cell grows by less than 2^-49 of it. Tests are exact: a corridor just as wide
+/// as the robot is free. Immutable: one object serves any number of threads.
 class CellSpace {
  public:
-  /// `invalid_option` for a resolution that is not positive, an origin that is not finite or too
-  /// far away for exact coordinates, or a negative radius.
+  /// Errors: `invalid_option` for a resolution that is not positive, an origin that is not finite
+  /// or too far away for exact coordinates, or a negative radius.
   static Expected<CellSpace, Failure> build(OccupancyGrid cells, const CellOptions& options = {});
 
-  /// The cells that a path may step on.
+  /// The grid of the cells whose centres are free.
   const OccupancyGrid& grid() const { return layer_.grid(); }
-  /// The cells that are not blocked themselves.
+  /// The map as given to `build`.
   const OccupancyGrid& cells() const { return cells_ ? *cells_ : layer_.grid(); }
-  /// The lower left corner of a cell, exactly; of cells as far beyond the map as it is large, too.
+  /// The exact lower left corner of a cell. Cells outside the map, up to its own size away, are
+  /// allowed.
   Point corner(Cell cell) const {
     return {corner_.x() + layer_.frame().resolution * cell.x,
             corner_.y() + layer_.frame().resolution * cell.y};
@@ -72,9 +72,9 @@ class CellSpace {
                         [this](const Point& a, const Point& b) { return segment_free(a, b); });
   }
 
-  /// Whether the segment between the reference points of two cells is free. At safety radius 0 it
-  /// keeps to cells that a path may step on and, like steps under `no_cut`, touches no other;
-  /// otherwise it is free as any segment.
+  /// Whether the segment between the reference points of two cells is free. At safety radius 0 the
+  /// segment may touch free cells only, as steps under `no_cut` do; otherwise this is
+  /// `segment_free`.
   bool line_of_sight(Cell a, Cell b) const {
     if (safety_radius_ == 0)
       return tutavia::line_of_sight(grid().view(), layer_.columns().view(), a, b);
@@ -88,15 +88,15 @@ class CellSpace {
 
   bool is_free(const Point& p) const { return segment_free(p, p); }
   bool segment_free(const Point& p, const Point& q) const;
-  /// Signed distance from `p` to the nearest blocked cell [m], negative inside; infinity where no
-  /// cell is blocked.
+  /// Signed distance from `p` to the nearest blocked cell [m], negative inside; infinity if no cell
+  /// is blocked.
   double clearance(const Point& p) const;
-  /// See ClearanceSpace. NearestObstacle::obstacle is the index of the blocked cell in `cells()`,
-  /// its edges count from the right one counterclockwise.
+  /// See ClearanceSpace. `obstacle` is the index of the blocked cell in `cells()`; its edges are
+  /// numbered counterclockwise, from the right one.
   template <class P>
   NearestObstacle nearest(const P& piece, double cap) const;
-  /// Whether `p` lies inside the union of the blocked cells, or on the map's border where a blocked
-  /// cell is.
+  /// Whether `p` lies inside the union of the blocked cells, or on an edge that a blocked cell
+  /// shares with the border of the map.
   bool is_inside(const Point& p) const { return edges().meets_inside({p, p}); }
 
   /// Calls `visit(edge, 0.0)` for every edge of the blocked cells' union in `box`.
@@ -129,7 +129,7 @@ class CellSpace {
   }
 
   detail::GridLayer layer_;
-  std::shared_ptr<const OccupancyGrid> cells_;  // where the grid is not these; shared by copies
+  std::shared_ptr<const OccupancyGrid> cells_;  // null if the same as the grid; shared by copies
   Point corner_;
   Box bounds_;
   double safety_radius_;
@@ -138,7 +138,7 @@ class CellSpace {
 
 namespace detail {
 
-/// What coordinates of a map become multiples of, fewer than 2^52 of them: a power of two.
+/// The power of two of which all coordinates become multiples, by factors below 2^52.
 inline Expected<double, Failure> coordinate_quantum(const OccupancyGrid& cells,
                                                     const CellOptions& options) {
   const double size = options.resolution;
@@ -168,7 +168,7 @@ inline Expected<double, Failure> coordinate_quantum(const OccupancyGrid& cells,
 
 /// The least squared distance from a blocked cell, in units of half a cell, at which the centre of
 /// a cell keeps the safety radius; decided exactly. \pre the radius is less than 2^24 sides
-inline std::int64_t least_square_to_keep(double radius, double side) {
+inline std::int64_t least_squared_distance(double radius, double side) {
   const auto squared = [](const ExactNumber& x) { return x * x; };
   const ExactNumber unit = squared(ExactNumber(side / 2)), limit = squared(ExactNumber(radius));
   const auto keeps = [&](std::int64_t n) {
@@ -189,7 +189,7 @@ inline Expected<CellSpace, Failure> CellSpace::build(OccupancyGrid cells,
   if (!quantum) return Unexpected{quantum.error()};
   const auto snap = [&](double x) { return std::nearbyint(x / *quantum) * *quantum; };
   const Point origin{snap(options.origin.x()), snap(options.origin.y())};
-  // Rounded up, so that a corridor of so many cells is never narrower than it was meant to be.
+  // Rounded up, so that a corridor is never narrower than specified.
   const double side = std::ceil(options.resolution / (2 * *quantum)) * 2 * *quantum;
   const Frame frame{{origin.x() + side / 2, origin.y() + side / 2}, side};
   const double r = options.safety_radius;
@@ -200,7 +200,7 @@ inline Expected<CellSpace, Failure> CellSpace::build(OccupancyGrid cells,
   const bool cuts_corners =
       options.movement == MovementRule::no_squeeze || options.movement == MovementRule::allow;
   OccupancyGrid grid =
-      dilated(cells, detail::least_square_to_keep(r, side) + (cuts_corners ? 2 : 0));
+      dilated(cells, detail::least_squared_distance(r, side) + (cuts_corners ? 2 : 0));
   return CellSpace(std::move(grid), std::make_shared<const OccupancyGrid>(std::move(cells)), origin,
                    frame, options);
 }
@@ -224,7 +224,7 @@ inline bool CellSpace::segment_free(const Point& p, const Point& q) const {
   const double distance = nearest(segment, reach).distance;
   if (distance < safety_radius_ - distance_error_bound()) return false;
   bool free = true;
-  if (distance < reach) {  // a tie: to be settled exactly
+  if (distance < reach) {  // a tie, decided exactly
     edges().for_each_near(segment, reach, [&](const Segment& edge, std::uint32_t, std::uint32_t) {
       free =
           free && detail::keeps_distance(segment, edge, 0, safety_radius_, distance_error_bound());

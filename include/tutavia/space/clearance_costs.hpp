@@ -10,18 +10,19 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// clearance_costs: a soft wish for distance from obstacles.
+/// clearance_costs: cell costs that increase near obstacles.
 
 namespace tutavia {
 
-/// How much dearer the neighbourhood of obstacles is.
+/// How much more a step near obstacles costs.
 struct ClearanceCostOptions {
-  double distance = 1;  ///< beyond the safety radius, from here on there is no surcharge [m]
-  double weight = 2;    ///< surcharge at the safety radius, as a multiple of the length; up to 7.96
+  double distance = 1;  ///< beyond the safety radius, where the extra cost ends [m]
+  double weight = 2;    ///< extra cost at the safety radius, times the length; 0 to 7.96
 };
 
-/// Surcharges that fall linearly from `weight` at the safety radius to 0 at `distance` beyond it.
-/// `invalid_option` for a distance that is not positive or a weight out of range.
+/// Extra costs of cells that decrease linearly from `weight` at the safety radius to 0 at
+/// `distance` beyond it. Errors: `invalid_option` for a distance that is not positive and finite,
+/// or a weight out of range.
 template <ClearanceGridSpace S>
 Expected<std::shared_ptr<const CellCosts>, Failure> clearance_costs(
     const S& space, const ClearanceCostOptions& options) {

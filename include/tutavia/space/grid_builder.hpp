@@ -13,56 +13,58 @@
 #include "tutavia/world/frame.hpp"
 
 /// \file
-/// GridBuilder: samples free space on a lattice so that every step between free nodes is safe.
+/// GridBuilder: samples free space on a lattice on which every step between free nodes is safe.
 
 namespace tutavia {
 
 namespace detail {
 
-/// A function that maps a point to a lower bound of its signed clearance [m] and changes by no more
-/// than the distance between two points (1-Lipschitz), as every exact clearance does.
+/// A function that maps a point to a lower bound of its signed clearance [m]. It is 1-Lipschitz:
+/// two values differ by at most the distance between the points, as exact clearances do.
 template <class F>
 concept ClearanceFunction = std::regular_invocable<const F&, const Point&> &&
-                            std::same_as < std::invoke_result_t<const F&, const Point&>,
-double > ;
+    requires(const F& clearance, const Point& p) {
+  { clearance(p) } -> std::same_as<double>;
+};
 
 }  // namespace detail
 
-/// A grid and its place in the plane.
+/// A grid and its frame in the plane.
 struct SampledGrid {
   OccupancyGrid grid;
   Frame frame;
 };
 
-/// How to sample; every field but the resolution has a default.
+/// Options of the sampling. The resolution is required.
 struct GridOptions {
   double resolution = 0;                           ///< lattice spacing delta [m]
   std::int64_t max_nodes = std::int64_t{1} << 28;  ///< more than these: limit_exceeded
 };
 
-/// Samples a source of clearance on the lattice of the points (i delta, j delta) within its bounds.
+/// Samples a clearance function on the lattice of the points (i delta, j delta) within the bounds.
 ///
-/// A node is free iff its clearance is at least sqrt(r^2 + delta^2 / 2). Two such nodes at most
-/// sqrt(2) delta apart span a segment that keeps a distance of r from every obstacle: where T
-/// bounds the distances of an obstacle point to both ends of a segment of length L, Stewart's
-/// theorem gives its squared distance to the point at fraction x as at least T^2 - x (1 - x) L^2 >=
-/// T^2 - L^2 / 4. So no edge needs a test. The threshold carries a margin of two rounding slacks
-/// and of 1e-9 delta, which covers paths that begin within 1e-9 delta of a node.
+/// A node is free iff its clearance is at least sqrt(r^2 + delta^2 / 2). A segment between two such
+/// nodes at most sqrt(2) delta apart keeps a distance of r from every obstacle: if an obstacle
+/// point is at least T away from both ends of a segment of length L, then by Stewart's theorem its
+/// squared distance to the point at fraction x is at least T^2 - x (1 - x) L^2 >= T^2 - L^2 / 4. So
+/// no edge needs a test. The threshold includes a margin of two rounding errors and of 1e-9 delta,
+/// which covers paths that start within 1e-9 delta of a node.
 ///
-/// The clearance is 1-Lipschitz, so a block of nodes is decided by its centre wherever the obstacle
-/// boundary is far enough away: the work grows with the length of the boundary, not with the area.
+/// The clearance is 1-Lipschitz, so the value at its centre decides a whole block of nodes unless
+/// an obstacle boundary is near. The work grows with the length of the boundaries, not with the
+/// area.
 template <detail::ClearanceFunction F>
 class GridBuilder {
  public:
-  /// `slack` is the rounding error of one value of `clearance` [m].
-  GridBuilder(F clearance, const Box& bounds, double safety_radius, double slack)
+  /// `error_bound` is the rounding error of one value of `clearance` [m].
+  GridBuilder(F clearance, const Box& bounds, double safety_radius, double error_bound)
       : clearance_(std::move(clearance)),
         bounds_(bounds),
         safety_radius_(safety_radius),
-        slack_(slack) {}
+        error_bound_(error_bound) {}
 
-  /// `invalid_option` for a resolution that is not positive and finite, `limit_exceeded` for too
-  /// many nodes.
+  /// Errors: `invalid_option` for a resolution that is not positive and finite, `limit_exceeded`
+  /// for too many nodes.
   Expected<SampledGrid, Failure> build(const GridOptions& options) const {
     const double delta = options.resolution;
     if (!(delta > 0) || !std::isfinite(delta)) {
@@ -83,9 +85,9 @@ class GridBuilder {
                                        options.max_nodes);
     if (!grid) return Unexpected{grid.error()};
     SampledGrid result{std::move(*grid), frame};
-    const Sampler sampler{
-        *this, result,
-        std::sqrt(safety_radius_ * safety_radius_ + delta * delta / 2) + 2 * slack_ + 1e-9 * delta};
+    const Sampler sampler{*this, result,
+                          std::sqrt(safety_radius_ * safety_radius_ + delta * delta / 2) +
+                              2 * error_bound_ + 1e-9 * delta};
     sampler.fill({0, 0}, {result.grid.width() - 1, result.grid.height() - 1});
     return result;
   }
@@ -96,7 +98,7 @@ class GridBuilder {
     SampledGrid& out;
     double threshold;
 
-    /// Decides the nodes of the block from `low` to `high`, both included.
+    /// Marks the free nodes of the block from `low` to `high`, both included.
     void fill(Cell low, Cell high) const {
       if (low.x > high.x || low.y > high.y) return;
       const Point a = out.frame.point(low), b = out.frame.point(high);
@@ -118,7 +120,7 @@ class GridBuilder {
     void set_free(Cell low, Cell high) const {
       for (int y = low.y; y <= high.y; ++y) {
         for (int x = low.x; x <= high.x; ++x) {
-          // Rounding may carry the outermost nodes past the bounds.
+          // Rounding may move the outermost nodes past the bounds.
           if (builder.bounds_.contains(out.frame.point({x, y}))) out.grid.set({x, y}, true);
         }
       }
@@ -128,10 +130,10 @@ class GridBuilder {
   F clearance_;
   Box bounds_;
   double safety_radius_;
-  double slack_;
+  double error_bound_;
 };
 
-/// The builder for any space that knows clearances.
+/// A builder for any space with clearances. It keeps a reference to the space.
 template <ClearanceSpace S>
 auto grid_builder(const S& space) {
   return GridBuilder([&space](const Point& p) -> double { return space.clearance(p); },

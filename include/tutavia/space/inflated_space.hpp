@@ -17,22 +17,21 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// InflatedSpace: the free space of a workspace, by exact distances to its obstacles.
+/// InflatedSpace: the free space of a workspace, decided by exact distances to its obstacles.
 
 namespace tutavia {
 
 /// The points of a workspace at `safety_radius` or more from every obstacle.
 ///
-/// Obstacles are never offset: distances to their edges are measured, so zones have exactly round
-/// corners. A packed R-tree over the edges' boxes (`BoxTree`) makes every question
+/// Obstacles are not offset: the space computes distances to their edges, so safety zones have
+/// exactly round corners. A packed R-tree over the edges' boxes (`BoxTree`) makes every query
 /// logarithmic in the number of edges. Immutable: one object serves any number of threads.
-/// `segment_free` and `is_free` settle ties by exact arithmetic, so a point at a distance of
-/// exactly the safety radius is free. At radius 0 paths may touch simple polygons and discs;
-/// obstacles without an inside, and polygons that cross themselves, block already where they are
-/// touched.
+/// `segment_free` and `is_free` decide ties by exact arithmetic, so a point at exactly the safety
+/// radius is free. At radius 0 paths may touch simple polygons and discs, but not obstacles without
+/// an interior or polygons that cross themselves.
 class InflatedSpace {
  public:
-  /// Fails with what `validate(workspace)` finds.
+  /// Errors: those of `validate(workspace)`.
   static Expected<InflatedSpace, Failure> build(Workspace workspace);
 
   const Workspace& workspace() const { return workspace_; }
@@ -44,8 +43,8 @@ class InflatedSpace {
   bool is_free(const Point& p) const { return segment_free(p, p); }
   bool segment_free(const Point& p, const Point& q) const;
 
-  /// Signed distance from `p` to the nearest obstacle [m], negative inside; infinity where there
-  /// are no obstacles.
+  /// Signed distance from `p` to the nearest obstacle [m], negative inside; infinity without
+  /// obstacles.
   double clearance(const Point& p) const;
 
   /// Distance from a segment or an arc to the nearest obstacle edge or disc; see ClearanceSpace.
@@ -54,7 +53,7 @@ class InflatedSpace {
     return nearest_or_less(piece, cap, -std::numeric_limits<double>::infinity());
   }
 
-  /// Whether `p`, which lies on no edge, is inside a polygon.
+  /// Whether `p` is inside a polygon. \pre `p` lies on no edge
   bool is_inside(const Point& p) const;
 
   /// Calls `visit(core, radius)` for every obstacle edge (radius 0) and disc (a point with a
@@ -79,25 +78,26 @@ class InflatedSpace {
     double exterior_angle;  // at core.a
   };
 
-  /// What blocks at safety radius 0: a simple polygon only by its inside, so that paths may slide
-  /// along it; anything else already by contact (discs: where they are overlapped).
+  /// What an obstacle blocks at safety radius 0. A simple polygon blocks its interior only, so
+  /// paths may slide along it. A disc blocks its open interior; any other obstacle blocks its
+  /// boundary, too.
   enum class Touch : std::uint8_t { inside_only, blocks };
 
   explicit InflatedSpace(Workspace workspace);
 
   void add_ring(const Ring& ring, std::uint32_t obstacle, bool is_hole, std::uint32_t& edge);
-  /// Calls `visit(feature)` for the features within `reach` of a piece and for others, some of them
-  /// twice, until it returns false and perhaps a little longer.
+  /// Calls `visit(feature)` for all features within `reach` of a piece and perhaps for others, some
+  /// of them twice. Once `visit` returns false, the loop ends after at most one part of the piece.
   template <class P, class Visit>
   void for_each_along(const P& piece, double reach, Visit visit) const;
-  /// `nearest`, or any distance below `enough` where there is one.
+  /// Like `nearest`, but may stop at any distance below `enough`.
   template <class P>
   NearestObstacle nearest_or_less(const P& piece, double cap, double enough) const;
-  /// Into how many parts to cut a box along its diagonal so that a query costs least: about as much
-  /// as 20 features, apart from the features in it.
+  /// The number of parts into which to cut a box along its diagonal at the least total cost. A
+  /// query is taken to cost as much as 20 features, plus the features in its box.
   int parts_along(const Segment& segment, double reach) const;
   static int parts_along(const Arc&, double) { return 1; }
-  /// segment_free for safety radius 0.
+  /// `segment_free` for safety radius 0.
   bool segment_free_at_contact(const Point& p, const Point& q) const;
   double depth(std::uint32_t obstacle, const Point& p) const;
 
@@ -183,7 +183,7 @@ inline bool InflatedSpace::segment_free(const Point& p, const Point& q) const {
   const double distance = nearest_or_less(segment, reach, blocked).distance;
   if (distance < blocked) return false;
   bool free = true;
-  if (distance < reach) {  // a tie: to be settled exactly
+  if (distance < reach) {  // a tie, decided exactly
     for_each_along(segment, reach, [&](const Feature& f) {
       return free = free && detail::keeps_distance(segment, f.core, f.radius, safety_radius(),
                                                    distance_error_bound());
@@ -223,7 +223,8 @@ void InflatedSpace::for_each_along(const P& piece, double reach, Visit visit) co
   const auto look_in = [&](const Box& part) {
     edges_.for_each_in(part.inflated(reach), [&](std::uint32_t i) { go_on = visit(features_[i]); });
   };
-  // The box of a long slanted segment holds much that is far from it: boxes of its parts do not.
+  // The box of a long slanted segment holds many features far from it; the boxes of its parts hold
+  // few.
   const int parts = parts_along(piece, reach);
   if (parts == 1) return look_in(piece.box());
   for (int k = 0; k < parts && go_on; ++k) {

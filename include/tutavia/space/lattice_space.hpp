@@ -13,27 +13,26 @@
 #include "tutavia/space/inflated_space.hpp"
 
 /// \file
-/// LatticeSpace: a workspace with a lattice of safe nodes laid over it.
+/// LatticeSpace: the free space of a workspace with a lattice of safe nodes.
 
 namespace tutavia {
 
-/// How to lay the lattice.
+/// Options of the lattice.
 struct LatticeOptions {
-  /// Spacing delta of the nodes (i delta, j delta) [m]. Not given: the larger side of the bounds /
-  /// 200.
+  /// Spacing delta of the nodes (i delta, j delta) [m]. Default: 1/200 of the larger side of the
+  /// bounds.
   std::optional<double> resolution{};
-  MovementRule movement = MovementRule::no_cut;    ///< any rule is safe on a lattice
+  MovementRule movement = MovementRule::no_cut;    ///< every rule is safe on a lattice
   std::int64_t max_nodes = std::int64_t{1} << 28;  ///< more than these: limit_exceeded
 };
 
-/// The free space of a workspace and a lattice in it on which every step is safe (see GridBuilder),
-/// so that a path of steps needs no further test. Points off the lattice are joined to it by proved
-/// segments. It answers all that InflatedSpace answers. Immutable: one object serves any number of
-/// threads.
+/// The free space of a workspace with a lattice on which every step is safe (see GridBuilder), so a
+/// path of steps needs no further test. Proved segments join points off the lattice to it. It
+/// offers every operation of InflatedSpace. Immutable: one object serves any number of threads.
 class LatticeSpace {
  public:
-  /// `invalid_input` for a broken workspace, `invalid_option` for a resolution that is not positive
-  /// and finite, `limit_exceeded` for more than `max_nodes` nodes.
+  /// Errors: `invalid_input` for a workspace that `validate` rejects, `invalid_option` for a
+  /// resolution that is not positive and finite, `limit_exceeded` for more than `max_nodes` nodes.
   static Expected<LatticeSpace, Failure> build(const Workspace& workspace,
                                                const LatticeOptions& options) {
     auto space = InflatedSpace::build(workspace);
@@ -76,8 +75,8 @@ class LatticeSpace {
   const detail::StopPlanes& stop_planes() const { return layer_.stop_planes(); }
   const OccupancyGrid& columns() const { return layer_.columns(); }
 
-  /// Joins `p` to the free nodes within sqrt(2) delta that it reaches by a free segment; to the
-  /// node alone where it lies within 1e-9 delta of one. None where there is no such node.
+  /// The free nodes within sqrt(2) delta of `p` to which the segment is free. If `p` lies within
+  /// 1e-9 delta of a free node, that node alone. May be empty.
   EndpointLinks links(const Point& p) const {
     if (!bounds().contains(p)) return {};
     return layer_.links(p, 1e-9 * frame().resolution,

@@ -8,7 +8,7 @@
 #include "tutavia/grid/cell.hpp"
 
 /// \file
-/// EndpointLinks: how a point is joined to a grid.
+/// EndpointLinks: the segments that join a point to a grid.
 
 namespace tutavia {
 
@@ -18,7 +18,7 @@ struct EndpointLink {
   double length = 0;  ///< [m]
 };
 
-/// The links of one point; a fixed capacity keeps searches free of allocation.
+/// The links of one point. The capacity is fixed, so that searches do not allocate.
 class EndpointLinks {
  public:
   static constexpr std::size_t capacity = 16;

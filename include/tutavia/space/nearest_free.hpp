@@ -12,14 +12,14 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// nearest_free_point: the way out of a safety zone.
+/// nearest_free_point: the free point nearest to a blocked one.
 
 namespace tutavia {
 
 namespace detail {
 
-/// Part of the boundary of free space: a circle around an obstacle's vertex or disc (a single point
-/// with a radius), or an edge of the obstacle or of the bounds moved out by the safety radius.
+/// Part of the boundary of free space: a circle around a vertex or disc, an obstacle edge offset by
+/// the safety radius, or a side of the bounds.
 struct Boundary {
   Segment line;
   double radius = 0;  // of a circle around line.a
@@ -39,7 +39,7 @@ void for_each_projection(const Boundary& boundary, const Point& p, Visit visit) 
   }
 }
 
-/// Calls `visit(q)` where two boundaries meet.
+/// Calls `visit(q)` for the points where two boundaries meet.
 template <class Visit>
 void for_each_crossing(const Boundary& first, const Boundary& second, Visit visit) {
   if (!first.is_circle() && !second.is_circle()) {
@@ -50,26 +50,26 @@ void for_each_crossing(const Boundary& first, const Boundary& second, Visit visi
     return;
   }
   if (!second.is_circle()) return for_each_crossing(second, first, visit);
-  // A line across a circle: the segment's own, or the common chord of two circles.
+  // The line that meets the circle: that of the segment, or the common chord of two circles.
   const Point center = second.line.a;
-  const double square_radius = second.radius * second.radius;
+  const double squared_radius = second.radius * second.radius;
   Point foot, direction;
   if (!first.is_circle()) {
     direction = first.line.b - first.line.a;
-    const double square = direction.squaredNorm();
-    if (!(square > 0)) return;
+    const double squared_length = direction.squaredNorm();
+    if (!(squared_length > 0)) return;
     const Point v = center - first.line.a;
-    foot = offset_along(first.line.a, v.dot(direction) / square, direction);
+    foot = offset_along(first.line.a, v.dot(direction) / squared_length, direction);
   } else {
     const Point between = first.line.a - center;
-    const double square = between.squaredNorm();
-    if (!(square > 0)) return;
-    const double along = (square + square_radius - first.radius * first.radius) / 2;
-    foot = offset_along(center, along / square, between);
+    const double squared_length = between.squaredNorm();
+    if (!(squared_length > 0)) return;
+    const double along = (squared_length + squared_radius - first.radius * first.radius) / 2;
+    foot = offset_along(center, along / squared_length, between);
     direction = perpendicular(between);
   }
   const double height = distance(foot, center);
-  const double half = square_radius - height * height;
+  const double half = squared_radius - height * height;
   if (!(half >= 0)) return;
   const double reach = std::sqrt(half) / direction.norm();
   visit(offset_along(foot, reach, direction));
@@ -91,21 +91,23 @@ inline void add_zone(const Segment& core, double offset, std::vector<Boundary>& 
   boundaries.push_back(Boundary::circle(core.a, offset));
   if (core.a == core.b) return;
   boundaries.push_back(Boundary::circle(core.b, offset));
-  const Point aside = perpendicular(core.b - core.a);
-  const double scale = offset / aside.norm();
+  const Point normal = perpendicular(core.b - core.a);
+  const double scale = offset / normal.norm();
   for (const double side : {scale, -scale}) {
-    boundaries.push_back({{offset_along(core.a, side, aside), offset_along(core.b, side, aside)}});
+    boundaries.push_back(
+        {{offset_along(core.a, side, normal), offset_along(core.b, side, normal)}});
   }
 }
 
-/// The points on boundaries nearest to `origin` and those where boundaries cross, within the bounds
-/// and `reach`, nearest first; crossings also `aside` off.
+/// The points on each boundary nearest to `origin` and the crossings of boundaries, clamped to the
+/// bounds and within `reach`, nearest first. Each crossing is also tried shifted by `shift` along
+/// both axes.
 inline std::vector<Point> free_candidates(const std::vector<Boundary>& boundaries,
                                           const Box& bounds, const Point& origin, double reach,
-                                          double aside) {
+                                          double shift) {
   struct Candidate {
     double distance;
-    std::size_t number;  // in the order found
+    std::size_t number;  // in order of creation
     Point point;
   };
   std::vector<Candidate> candidates;
@@ -117,7 +119,7 @@ inline std::vector<Point> free_candidates(const std::vector<Boundary>& boundarie
   const auto add_crossing = [&](const Point& q) {
     add(q);
     for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)}) {
-      add(offset_along(q, aside, axis));
+      add(offset_along(q, shift, axis));
     }
   };
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
@@ -137,13 +139,13 @@ inline std::vector<Point> free_candidates(const std::vector<Boundary>& boundarie
 
 }  // namespace detail
 
-/// The point of free space nearest to `p`, or nothing where there is no free space within the
-/// bounds, or none before some hundred edges are within reach.
+/// The point of free space nearest to `p`. Empty if there is no free space within the bounds, or if
+/// the search radius covers more than 512 boundaries before one is found.
 ///
-/// It is `p` itself, or on one boundary of free space next to p, or where two boundaries cross: all
-/// of them within a growing reach are tried, nearest first, and what is returned was tested to be
-/// free. The boundaries are kept 32 u M outside the zones, and crossings are tried a little further
-/// out as well, so that rounding does not hide them.
+/// The nearest point is `p` itself, or lies on one boundary of free space, or at the crossing of
+/// two. All candidates within a growing radius are tested, nearest first; the returned point is
+/// proved free. Boundaries are offset by 32 u M from the zones, and crossings are also tried
+/// slightly shifted, so that rounding does not hide free points.
 template <FeatureSpace S>
 std::optional<Point> nearest_free_point(const S& space, const Point& p) {
   const Box& bounds = space.bounds();

@@ -20,22 +20,22 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// BlockedEdges: the union of a grid's blocked cells, by its edges.
+/// BlockedEdges: the edges of the union of a grid's blocked cells.
 
 namespace tutavia::detail {
 
-/// The closed squares of a grid's blocked cells, looked at edge by edge and cell by cell. A view:
-/// the grid must outlive it.
+/// Queries on the union of a grid's blocked cells, closed squares. A view: the grid must outlive
+/// it.
 class BlockedEdges {
  public:
   /// `origin`: lower left corner of cell (0, 0); `size`: side of a cell; coordinates of corners are
-  /// exact multiples. `slack`: more than rounding may move anything.
-  BlockedEdges(const OccupancyGrid& map, const Point& origin, double size, double slack)
-      : map_(map), origin_(origin), size_(size), slack_(slack) {}
+  /// exact multiples. `error_bound`: exceeds every rounding error of a coordinate [m].
+  BlockedEdges(const OccupancyGrid& map, const Point& origin, double size, double error_bound)
+      : map_(map), origin_(origin), size_(size), error_bound_(error_bound) {}
 
-  /// Calls `visit(edge, cell index, side)` for every edge of the union that comes within `reach` of
-  /// a segment or an arc along x and along y, and for some others. It goes outwards from the
-  /// piece's own rows; `visit` returns how far it still makes sense to look, at most `reach`.
+  /// Calls `visit(edge, cell index, side)` for every edge of the union that lies within `reach` of
+  /// a segment or an arc along x and along y, and for some others. Rows are visited outwards from
+  /// those of the piece; `visit` returns the reach for the remaining rows, at most `reach`.
   template <class P, class Visit>
   void for_each_near(const P& piece, double reach, Visit visit) const {
     const Box box = piece.box();
@@ -51,11 +51,12 @@ class BlockedEdges {
   template <class Visit>
   void for_each_corner(const Box& box, Visit visit) const;
 
-  /// Whether a segment meets the inside of the union, or the map's border where a blocked cell is.
+  /// Whether a segment meets the interior of the union, or an edge that a blocked cell shares with
+  /// the border of the map.
   bool meets_inside(const Segment& s) const;
 
  private:
-  /// The x-range of a piece within a range of y; a box has the same everywhere.
+  /// The x-range of a piece within a range of y; for a box it is constant.
   struct Strip {
     Box box;
     std::pair<double, double> range(double, double) const { return {box.min.x(), box.max.x()}; }
@@ -77,36 +78,36 @@ class BlockedEdges {
   static SlantedStrip strip(const Segment& s) { return {s}; }
   static Strip strip(const Arc& arc) { return {arc.box()}; }
 
-  /// The part of each row that a segment comes near, in cells.
+  /// The columns near a segment, row by row.
   class NearColumns;
 
   Point corner(Cell cell) const {
     return {origin_.x() + size_ * cell.x, origin_.y() + size_ * cell.y};
   }
   bool blocked(Cell cell) const { return map_.contains(cell) && !map_.is_free(cell); }
-  int column(double x) const { return place(x, origin_.x(), map_.width()); }
-  int row(double y) const { return place(y, origin_.y(), map_.height()); }
-  int place(double x, double from, int count) const {
+  int column(double x) const { return cell_index(x, origin_.x(), map_.width()); }
+  int row(double y) const { return cell_index(y, origin_.y(), map_.height()); }
+  int cell_index(double x, double from, int count) const {
     return static_cast<int>(
         std::clamp(std::floor((x - from) / size_), -1.0, static_cast<double>(count)));
   }
 
   enum class Cells { all, boundary };
-  /// Calls `visit(cell)` for the blocked cells of a row from column `first` to `last`, as far as
-  /// they exist: for all, or for those beside a cell that is not blocked.
+  /// Calls `visit(cell)` for the blocked cells of a row from column `first` to `last`: for all, or
+  /// for those with an edge neighbour that is not blocked. Columns outside the map are skipped.
   template <Cells which, class Visit>
   void for_each_blocked(int y, int first, int last, Visit visit) const;
   template <class P, class Visit>
   void for_each_in_strip(const P& piece, double low, double high, double reach, Visit visit) const;
   bool meets_open_square(Cell cell, const Segment& s, const Box& box) const;
-  /// Whether what has this box runs along a line of the grid (or is a point on one) with blocked
-  /// cells, or what lies beyond the map, on both sides.
+  /// Whether a segment with this box lies on a grid line (or is a point on one) that has, on both
+  /// sides, blocked cells or the outside of the map, with at least one blocked cell.
   bool runs_inside(const Box& box) const;
 
   const OccupancyGrid& map_;
   Point origin_;
   double size_;
-  double slack_;
+  double error_bound_;
 };
 
 template <BlockedEdges::Cells which, class Visit>
@@ -125,7 +126,7 @@ void BlockedEdges::for_each_blocked(int y, int first, int last, Visit visit) con
     if (which == Cells::boundary && !border_row) {
       std::uint64_t beside =
           free_from(x, y - 1) | free_from(x, y + 1) | free_from(x - 1, y) | free_from(x + 1, y);
-      // What lies beyond the map is not blocked.
+      // The outside of the map is not blocked.
       if (x == 0) beside |= 1;
       if (x + count == map_.width()) beside |= std::uint64_t{1} << (count - 1);
       blocked &= beside;
@@ -138,7 +139,7 @@ template <class P, class Visit>
 void BlockedEdges::for_each_in_strip(const P& piece, double low, double high, double reach,
                                      Visit visit) const {
   const auto scan = [&](int y) {
-    const double bottom = corner({0, y}).y(), margin = reach + 2 * slack_;
+    const double bottom = corner({0, y}).y(), margin = reach + 2 * error_bound_;
     const auto [x0, x1] = piece.range(bottom - margin, bottom + size_ + margin);
     for_each_blocked<
         Cells::boundary>(y, column(x0 - margin) - 1, column(x1 + margin) + 1, [&](Cell cell) {
@@ -152,15 +153,15 @@ void BlockedEdges::for_each_in_strip(const P& piece, double low, double high, do
       }
     });
   };
-  // A row farther up or down than the reach has nothing left to give.
-  const auto beyond = [&](double gap) { return gap > reach + 2 * slack_; };
+  // Rows beyond the reach hold no more edges.
+  const auto beyond = [&](double gap) { return gap > reach + 2 * error_bound_; };
   const int first = std::max(row(low) - 1, 0), last = std::min(row(high) + 1, map_.height() - 1);
   for (int y = first; y <= last; ++y) scan(y);
   for (int y = first - 1; y >= 0 && !beyond(low - corner({0, y + 1}).y()); --y) scan(y);
   for (int y = last + 1; y < map_.height() && !beyond(corner({0, y}).y() - high); ++y) scan(y);
 }
 
-/// The open square of a cell against a segment, by separating lines.
+/// Whether the open square of a cell meets a segment, by separating axes.
 inline bool BlockedEdges::meets_open_square(Cell cell, const Segment& s, const Box& box) const {
   const Point low = corner(cell), high = corner(cell + Cell{1, 1});
   if (!(box.max.x() > low.x() && box.min.x() < high.x() && box.max.y() > low.y() &&
@@ -189,7 +190,8 @@ class BlockedEdges::NearColumns {
     start_ = rising ? left_ : right_;
   }
 
-  /// The first and the last column in a row, of `columns`; none where the first is greater.
+  /// The first and the last column near the segment in row y of a map with `columns` columns; none
+  /// if the first is greater.
   std::pair<int, int> in_row(int y, int columns) const {
     const double in = flat_ ? left_ : at(y - margin_);
     const double out = flat_ ? right_ : at(y + 1 + margin_);
@@ -202,7 +204,7 @@ class BlockedEdges::NearColumns {
   }
 
  private:
-  /// Where the segment crosses a level.
+  /// The column where the segment crosses a level of y.
   double at(double y) const { return std::clamp(start_ + (y - bottom_) * slope_, left_, right_); }
 
   double left_, right_, bottom_, margin_;
@@ -213,9 +215,9 @@ class BlockedEdges::NearColumns {
 inline bool BlockedEdges::meets_inside(const Segment& s) const {
   const Box box = s.box();
   const Point low = (box.min - origin_) / size_, high = (box.max - origin_) / size_;
-  const double margin = 4 * slack_ / size_;
+  const double margin = 4 * error_bound_ / size_;
   const NearColumns near(s, low, high, size_, margin);
-  // Most rows have no blocked cell anywhere near the segment.
+  // Most rows have no blocked cell near the segment.
   const int last_row = NearColumns::last_of(high.y() + margin, map_.height());
   for (int y = NearColumns::first_of(low.y() - margin); y <= last_row; ++y) {
     const auto [first, last] = near.in_row(y, map_.width());
@@ -235,7 +237,7 @@ inline bool BlockedEdges::meets_inside(const Segment& s) const {
 inline bool BlockedEdges::runs_inside(const Box& box) const {
   const int x0 = column(box.min.x()), x1 = column(box.max.x());
   const int y0 = row(box.min.y()), y1 = row(box.max.y());
-  // Blocked on both sides; what lies beyond the map counts as blocked, but not by itself.
+  // Every side is blocked or outside the map, and at least one is blocked.
   const auto between = [&](std::initializer_list<Cell> sides) {
     bool any_blocked = false, all_solid = true;
     for (const Cell cell : sides) {
@@ -262,7 +264,7 @@ inline bool BlockedEdges::runs_inside(const Box& box) const {
 
 template <class Visit>
 void BlockedEdges::for_each_corner(const Box& box, Visit visit) const {
-  const double margin = 2 * slack_;
+  const double margin = 2 * error_bound_;
   for (int y = row(box.min.y() - margin); y <= row(box.max.y() + margin) + 1; ++y) {
     for (int x = column(box.min.x() - margin); x <= column(box.max.x() + margin) + 1; ++x) {
       const bool ne = blocked({x, y}), nw = blocked({x - 1, y}), sw = blocked({x - 1, y - 1}),

@@ -15,21 +15,21 @@
 #include "tutavia/geometry/box.hpp"
 
 /// \file
-/// BoxTree: which boxes meet a box.
+/// BoxTree: finds the boxes that meet a box.
 
 namespace tutavia::detail {
 
 /// An immutable, packed R-tree over numbered boxes: a query costs O(log n + k) for n boxes and k
 /// answers, building O(n log n).
 ///
-/// Boxes are split into halves along the longer side of their centres' extent until sixteen are
-/// left (top-down bulk loading, Lee and Lee 2003, "OMT"). Parts are whole powers of sixteen, so
-/// every node but the last of a level is full and a child's place follows from its parent's: there
-/// are no pointers.
+/// Boxes are halved along the longer side of their centres' extent until at most sixteen are left
+/// (top-down bulk loading, Lee and Lee 2003, "OMT"). Parts are whole powers of sixteen, so every
+/// node but the last of a level is full, and a child's index follows from its parent's: there are
+/// no pointers.
 ///
 /// A node holds the boxes of its sixteen children in single precision, relative to the extent of
-/// all boxes. That rounding is monotone, so boxes that meet still do, and a few that do not may
-/// seem to: answers are candidates.
+/// all boxes. That rounding is monotone, so no box that meets the query is missed, but a few others
+/// may be reported: results are candidates.
 class BoxTree {
  public:
   using Entry = std::pair<Box, std::uint32_t>;
@@ -56,12 +56,12 @@ class BoxTree {
   }
 
   /// Calls `visit(number)` for every box that meets `box`, touching included, and perhaps for boxes
-  /// within a millionth of the extent of all boxes of it.
+  /// that miss it by less than a millionth of the extent of all boxes.
   template <class Visit>
   void for_each_in(const Box& box, Visit visit) const {
     if (nodes_.empty()) return;
     const RoundedBox target = rounded(box);
-    // The children of a node that are still to be looked at, for each level from the root's down.
+    // The unvisited children of one node per level, from the root down.
     struct Open {
       std::uint32_t node;
       std::uint32_t children;  // one bit each
@@ -94,7 +94,7 @@ class BoxTree {
     float min_x, min_y, max_x, max_y;
   };
 
-  /// Sixteen boxes, side by side for comparisons four at a time (vectors of g++ and clang).
+  /// Sixteen boxes, stored for comparisons four at a time (vector extensions of g++ and clang).
   class Node {
    public:
     void set(std::size_t k, const RoundedBox& box) {
@@ -132,17 +132,17 @@ class BoxTree {
 
   TUTAVIA_ALWAYS_INLINE RoundedBox rounded(const Box& box) const {
     const auto relative = [this](const Point& p, int axis) {
-      const double x = (p[axis] - origin_[axis]) * scale_;  // boxes of the tree: in [-1, 1]
+      const double x = (p[axis] - origin_[axis]) * scale_;  // in [-1, 1] for boxes of the tree
       return static_cast<float>(x < -2 ? -2 : x > 2 ? 2 : x);
     };
     return {relative(box.min, 0), relative(box.min, 1), relative(box.max, 0), relative(box.max, 1)};
   }
 
-  /// Orders entries so that every run of a power of sixteen, counted from the first, lies together.
+  /// Orders entries so that every consecutive run of sixteen to a power is spatially compact.
   static void sort(std::vector<Entry>& entries, std::size_t first, std::size_t last) {
     const std::size_t count = last - first;
     const auto at = [&](std::size_t i) { return entries.begin() + static_cast<std::ptrdiff_t>(i); };
-    if (count <= fan_out) {  // the order in which the boxes were given
+    if (count <= fan_out) {  // in input order
       std::sort(at(first), at(last), [](auto& a, auto& b) { return a.second < b.second; });
       return;
     }
@@ -163,7 +163,7 @@ class BoxTree {
     return {0.5 * box.min.x() + 0.5 * box.max.x(), 0.5 * box.min.y() + 0.5 * box.max.y()};
   }
 
-  /// Adds nodes above `boxes` and returns their boxes, or none if it was the root.
+  /// Adds the level of nodes above `boxes`. Returns their boxes, or none once the root is added.
   std::vector<RoundedBox> add_level(const std::vector<RoundedBox>& boxes) {
     levels_.push_back(nodes_.size());
     nodes_.resize(nodes_.size() + (boxes.size() + fan_out - 1) / fan_out);
@@ -183,8 +183,8 @@ class BoxTree {
   Point origin_ = Point::Zero();
   double scale_ = 1;
   std::vector<Node> nodes_;             // level by level, leaves first
-  std::vector<std::size_t> levels_;     // where each level begins
-  std::vector<std::uint32_t> numbers_;  // of the boxes, in the order of the leaves' children
+  std::vector<std::size_t> levels_;     // first node of each level
+  std::vector<std::uint32_t> numbers_;  // of the boxes, in leaf order
 };
 
 }  // namespace tutavia::detail

@@ -15,12 +15,12 @@
 #include "tutavia/world/frame.hpp"
 
 /// \file
-/// GridLayer: the grid that a space lays over its free space.
+/// GridLayer: the grid of a space, with its frame and its derived tables.
 
 namespace tutavia::detail {
 
-/// The corners that a path may pass, as a grid of their own: those of free cells, but where two
-/// blocked cells touch by the corner alone.
+/// A grid of the corners that a path may pass: those of free cells, except where two blocked cells
+/// touch at the corner only.
 /// \pre `OccupancyGrid::fits(width + 1, height + 1)`
 inline OccupancyGrid open_corners(const OccupancyGrid& grid) {
   auto corners =
@@ -34,8 +34,8 @@ inline OccupancyGrid open_corners(const OccupancyGrid& grid) {
   return corners;
 }
 
-/// A grid, its place in the plane, and the rule by which paths step on it: what LatticeSpace and
-/// CellSpace have in common.
+/// A grid, its frame in the plane and its movement rule: the common part of LatticeSpace and
+/// CellSpace.
 class GridLayer {
  public:
   GridLayer(OccupancyGrid grid, const Frame& frame, MovementRule movement)
@@ -45,29 +45,28 @@ class GridLayer {
   const Frame& frame() const { return frame_; }
   MovementRule movement() const { return movement_; }
 
-  /// Built when first asked for; threads may ask at once. Copies of the layer share them.
+  /// Built at the first call, safely from several threads. Copies of the layer share them.
   const StopPlanes& stop_planes() const {
     std::call_once(lazy_->once, [this] { lazy_->planes.emplace(grid_); });
     return *lazy_->planes;
   }
 
-  /// The grid with rows and columns exchanged, made likewise.
+  /// The grid with rows and columns exchanged; built like `stop_planes`.
   const OccupancyGrid& columns() const {
     std::call_once(lazy_->columns_once, [this] { lazy_->columns.emplace(transposed(grid_)); });
     return *lazy_->columns;
   }
 
-  /// The corners of free cells as a grid of their own, made likewise; (x, y) is the lower left
-  /// corner of cell (x, y). Without those where two blocked cells touch by the corner alone: no
-  /// path leads through them. What lies beyond the grid is blocked.
+  /// See `open_corners`; built like `stop_planes`. (x, y) is the lower left corner of cell (x, y).
+  /// The outside of the grid is blocked.
   const OccupancyGrid& corners() const {
     std::call_once(lazy_->corners_once, [this] { lazy_->corners.emplace(open_corners(grid_)); });
     return *lazy_->corners;
   }
 
-  /// Joins `p` to the free cells whose reference points lie within sqrt(2) delta of it and which
-  /// it reaches by a segment for which `segment_free(p, reference point)` holds; to the cell alone
-  /// where it lies within `merge` of a reference point.
+  /// The free cells whose reference points lie within sqrt(2) delta of `p` and for which
+  /// `segment_free(p, reference point)` holds. If `p` lies within `merge` of the reference point of
+  /// a free cell, that cell alone.
   template <class SegmentFree>
   EndpointLinks links(const Point& p, double merge, const SegmentFree& segment_free) const {
     EndpointLinks result;

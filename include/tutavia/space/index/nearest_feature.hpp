@@ -9,12 +9,12 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// nearest_feature: the nearest of many edges and discs, looked for in a growing window.
+/// nearest_feature: the nearest of many edges and discs, by queries of growing radius.
 
 namespace tutavia::detail {
 
-/// Tells cheaply that a feature lies farther than some distance to one side of a segment's line:
-/// most of the features in a slanted segment's box do.
+/// A cheap test whether a feature lies farther than a limit to one side of a segment's line. Most
+/// features in the box of a slanted segment do.
 class SideTest {
  public:
   explicit SideTest(const Segment& s) {
@@ -33,17 +33,17 @@ class SideTest {
  private:
   double side(const Point& p) const { return normal_.x() * p.x() + normal_.y() * p.y() - offset_; }
 
-  Point normal_{0, 0};  // null: nothing is ever to one side
+  Point normal_{0, 0};  // zero: the test never holds
   double offset_ = 0;
 };
 
-/// The feature of `features` nearest to a piece, if nearer than `cap` (see ClearanceSpace).
+/// The feature nearest to a piece, if nearer than `cap` (see ClearanceSpace).
 ///
 /// `features(reach, visit)` calls `visit(core, radius, obstacle, edge)` for every feature within
 /// `reach` of the piece (an edge with radius 0, or a point with one), and perhaps for others;
-/// `visit` returns the distance up to which features are still of interest.
-/// Windows grow from `first_reach` until they hold the nearest feature or, with it, all of
-/// `extent`. Of equally near features the one with the lower numbers is given.
+/// `visit` returns the distance beyond which features no longer matter. Reaches grow from
+/// `first_reach` until a feature is found or the window holds all of `extent`. Ties go to the
+/// feature with the lower obstacle number, then edge number.
 template <class P, class Features>
 NearestObstacle nearest_feature(const P& piece, double cap, double first_reach, const Box& extent,
                                 const Features& features) {
@@ -51,7 +51,8 @@ NearestObstacle nearest_feature(const P& piece, double cap, double first_reach, 
   const SideTest beside(piece);
   double reach = std::min(cap, first_reach);
   while (true) {
-    // What is found within reach is the nearest; once the window holds all, whatever is found is.
+    // A feature found within reach is the nearest. If the window holds all features, so is any
+    // found.
     const bool complete =
         reach >= cap || box.inflated(reach).contains(extent) || extent.width() < 0;
     if (complete) reach = cap;
@@ -59,12 +60,12 @@ NearestObstacle nearest_feature(const P& piece, double cap, double first_reach, 
     features(reach, [&](const Segment& core, double radius, std::uint32_t obstacle,
                         std::uint32_t edge) {
       if (beside(core, best.distance + radius)) return best.distance;
-      const ClosestApproach found = closest_approach(piece, core);
-      const double distance = found.distance - radius;
+      const ClosestApproach approach = closest_approach(piece, core);
+      const double distance = approach.distance - radius;
       const bool lower = obstacle != best.obstacle ? obstacle < best.obstacle : edge < best.edge;
       if (distance < best.distance ||
           (distance == best.distance && lower && best.obstacle != NearestObstacle::none)) {
-        best = {distance, found.parameter, obstacle, edge};
+        best = {distance, approach.parameter, obstacle, edge};
       }
       return best.distance;
     });
