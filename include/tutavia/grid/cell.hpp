@@ -4,7 +4,8 @@
 #include <cstdint>
 
 /// \file
-/// Cell: an index pair on a grid; also of a corner of cells, the lower left one of that cell.
+/// Cell: an index pair on a grid. It also stands for a corner of cells: the lower left one of that
+/// cell.
 
 namespace tutavia {
 
@@ -20,7 +21,7 @@ struct Cell {
 
 namespace detail {
 
-/// Twice the area of the triangle a, b, c: positive where c lies left of the line from a to b.
+/// Twice the area of the triangle a, b, c: positive if c lies left of the line from a to b.
 /// \pre differences below 2^31
 inline std::int64_t turn(Cell a, Cell b, Cell c) {
   return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -

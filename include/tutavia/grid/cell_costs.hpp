@@ -8,18 +8,18 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// CellCosts: ground that is dearer to cross.
+/// CellCosts: traversal costs of cells.
 
 namespace tutavia {
 
-/// A surcharge of 8 bits for every cell of a grid: a step costs its length times 1 + c / 32, where
-/// c is the mean of the two cells' values (so at most 9 times its length).
+/// An 8-bit extra cost for every cell of a grid. A step costs its length times 1 + c / 32, where c
+/// is the mean of the two cells' values (at most 9 times its length).
 class CellCosts {
  public:
-  /// How many units of price one unit of cost makes: prices are integers.
+  /// The factor between `step_cost` here and `detail::step_cost`; both are integers.
   static constexpr Cost scale = 64;
 
-  /// No surcharge on any cell of a grid of this size.
+  /// No extra cost on any cell of a grid of this size.
   explicit CellCosts(const OccupancyGrid& grid)
       : width_(grid.width()),
         height_(grid.height()),
@@ -31,7 +31,7 @@ class CellCosts {
   std::uint8_t operator[](Cell cell) const { return values_[at(cell)]; }
   void set(Cell cell, std::uint8_t value) { values_[at(cell)] = value; }
 
-  /// What a step costs, in 1 / scale of the usual unit.
+  /// The cost of a step, in units of 1 / scale.
   Cost step_cost(Cell from, std::size_t step) const {
     return detail::step_cost(step) * (scale + (*this)[from] + (*this)[from + steps[step]]);
   }

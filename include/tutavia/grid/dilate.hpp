@@ -11,16 +11,15 @@
 
 namespace tutavia {
 
-/// The cells whose centres keep a distance from every blocked cell: free are those for which
-/// d >= `least`, d being the squared distance from the cell's centre to the nearest blocked square,
-/// in units of half a cell side (an integer). Blocked cells stay blocked. Costs O(runs of blocked
-/// cells x radius in cells).
+/// The grid with every cell blocked whose centre lies too close to a blocked cell. A cell stays
+/// free if d >= `least`, where the integer d is the squared distance from its centre to the nearest
+/// blocked square, in units of half a cell side. O(runs of blocked cells x radius in cells).
 inline OccupancyGrid dilated(const OccupancyGrid& grid, std::int64_t least) {
-  // Half a cell less than the distance of the centres, along each axis.
+  // Along each axis the gap is the distance of the centres less half a cell.
   const auto squared_gap = [](std::int64_t cells) {
     return cells == 0 ? 0 : (2 * cells - 1) * (2 * cells - 1);
   };
-  std::vector<int> reach;  // along x, for every distance along y; nothing reaches beyond the grid
+  std::vector<int> reach;  // along x, for every distance along y; clamped to the grid
   int dx = grid.width();
   for (int dy = 0; squared_gap(dy) < least && dy < grid.height(); ++dy) {
     while (dx > 0 && squared_gap(dx) + squared_gap(dy) >= least) --dx;

@@ -11,13 +11,13 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// Lines of sight between cell centres and between corners of cells, in integers.
+/// Lines of sight between cell centres and between corners of cells, in integer arithmetic.
 
 namespace tutavia {
 
 namespace detail {
 
-/// Whether `count` cells from an index on are free.
+/// Whether `count` consecutive cells from index `first` are free.
 inline bool run_is_free(const std::uint64_t* words, std::size_t first, std::uint32_t count) {
   constexpr std::uint32_t most = loaded_bits;
   for (; count > most; count -= most, first += loaded_bits) {
@@ -28,15 +28,15 @@ inline bool run_is_free(const std::uint64_t* words, std::size_t first, std::uint
 
 }  // namespace detail
 
-/// Whether all cells that the segment between the centres of two cells touches are free: its
-/// supercover, with both cells beside every corner it passes through.
+/// Whether all cells are free that the segment between the centres of two cells touches (its
+/// supercover, including both cells beside every corner it passes through).
 ///
-/// Exact, and one look-up per row for up to 57 cells of it: the segment leaves row k at the column
-/// (dx (2 k + 1) + dy) / (2 dy), whose remainder says whether it leaves through a corner.
+/// Exact, with one look-up per row and 57 cells: the segment leaves row k at the column (dx (2 k +
+/// 1) + dy) / (2 dy), whose remainder says whether it leaves through a corner.
 /// \pre both cells lie in the grid
 inline bool line_of_sight(const OccupancyGrid::View& grid, Cell a, Cell b) {
   if (a.y > b.y) std::swap(a, b);
-  // Below 2^30 each, so that sums of four fit.
+  // Below 2^30 each, so sums of four fit.
   const auto across = static_cast<std::uint32_t>(std::abs(b.x - a.x));
   const auto rows = static_cast<std::uint32_t>(b.y - a.y);
   const bool right = b.x >= a.x;
@@ -57,7 +57,7 @@ inline bool line_of_sight(const OccupancyGrid::View& grid, Cell a, Cell b) {
   return is_free(in, across);
 }
 
-/// The same, with the grid's transpose for lines that cross more rows than columns.
+/// The same; uses the grid's transpose if the segment crosses more rows than columns.
 inline bool line_of_sight(const OccupancyGrid::View& rows, const OccupancyGrid::View& columns,
                           Cell a, Cell b) {
   const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
@@ -66,8 +66,8 @@ inline bool line_of_sight(const OccupancyGrid::View& rows, const OccupancyGrid::
 
 namespace detail {
 
-/// Whether the edge between two corners of cells in one row is free: beside every unit of it a free
-/// cell, and one on the same side of the next.
+/// Whether the segment between two corners in one row is free: every unit of it borders a free
+/// cell, and every two consecutive units border free cells on the same side.
 inline bool edge_is_free(const OccupancyGrid::View& grid, Cell a, Cell b) {
   if (a.x > b.x) std::swap(a, b);
   const std::size_t above = grid.index(a), below = grid.index({a.x, a.y - 1});
@@ -85,7 +85,7 @@ inline bool edge_is_free(const OccupancyGrid::View& grid, Cell a, Cell b) {
   return true;
 }
 
-/// The same for a segment that crosses rows.
+/// Whether the segment between two corners in different rows is free; see `corner_line_of_sight`.
 inline bool corners_in_sight(const OccupancyGrid::View& grid, Cell a, Cell b) {
   if (a.y > b.y) std::swap(a, b);
   const auto across = static_cast<std::uint32_t>(std::abs(b.x - a.x));
@@ -93,16 +93,16 @@ inline bool corners_in_sight(const OccupancyGrid::View& grid, Cell a, Cell b) {
   const bool right = b.x >= a.x;
   std::size_t row = grid.index({0, a.y}) + static_cast<std::size_t>(a.x);
   const std::uint32_t whole = across / rows, part = across % rows;
-  std::uint32_t in = 0, rest = 0;  // where it enters the row: column and remainder
+  std::uint32_t in = 0, rest = 0;  // column and remainder where it enters the row
   for (std::uint32_t k = 0; k < rows; ++k, row += grid.stride) {
     std::uint32_t out = in + whole;
     const std::uint32_t before = rest;
     rest += part;
     if (rest >= rows) ++out, rest -= rows;
-    // Cells `in` to the last that it meets inside; to the left they count from the corner's left.
+    // Its interior meets the cells from `in` to `last`; to the left, cell i lies left of corner i.
     const std::uint32_t last = rest == 0 ? out - 1 : out;
     if (!run_is_free(grid.words, right ? row + in : row - last - 1, last - in + 1)) return false;
-    if (before == 0 && k > 0) {  // through a corner: one of the two cells beside it is free
+    if (before == 0 && k > 0) {  // at a corner, one of the two cells beside it must be free
       const std::size_t ahead = right ? row + in - 1 : row - in;
       const std::size_t behind = (right ? row + in : row - in - 1) - grid.stride;
       if (!grid.is_free(ahead) && !grid.is_free(behind)) return false;
@@ -112,9 +112,9 @@ inline bool corners_in_sight(const OccupancyGrid::View& grid, Cell a, Cell b) {
   return true;
 }
 
-/// Whether a point may go straight from one corner of cells to another: through no blocked cell's
-/// inside, not between two that share a side, and not through a corner where two touch (ends
-/// aside). It may slide along blocked cells and touch their corners.
+/// Whether the segment between two corners of cells is free for a point robot. It may not cross the
+/// interior of a blocked cell, run between two that share a side, or pass a corner (other than its
+/// ends) where two touch. It may slide along blocked cells and touch their corners.
 ///
 /// Exact. Rules of the Grid-Based Path Planning Competition 2014.
 /// \pre both are corners of cells of the grid; `columns` is its transpose

@@ -9,7 +9,7 @@
 #include "tutavia/grid/cell.hpp"
 
 /// \file
-/// Movement: which neighbours a cell has, and what a step costs.
+/// Movement rules, and the exact costs of steps.
 
 namespace tutavia {
 
@@ -22,8 +22,8 @@ enum class MovementRule {
 };
 
 /// Cost of a path in exact integers: 13860 for a straight step, 19601 for a diagonal one. Their
-/// ratio is sqrt(2) to a relative 1.3e-9 (a convergent of its continued fraction, so no diagonal is
-/// ever priced below sqrt(2) straight steps), and 64 bits hold 4.7e14 steps.
+/// ratio is sqrt(2) to a relative 1.3e-9 (a convergent of its continued fraction, so no diagonal
+/// ever costs less than sqrt(2) straight steps), and 64 bits hold 4.7e14 steps.
 using Cost = std::int64_t;
 inline constexpr Cost straight_cost = 13860;
 inline constexpr Cost diagonal_cost = 19601;
@@ -44,7 +44,7 @@ constexpr Cost step_cost(std::size_t step) {
 
 }  // namespace detail
 
-/// Cost of the cheapest walk between two cells when nothing is in the way.
+/// Cost of the cheapest path between two cells on a grid without obstacles.
 constexpr Cost octile_cost(Cell a, Cell b) {
   const Cost dx = a.x < b.x ? Cost{b.x} - a.x : Cost{a.x} - b.x;
   const Cost dy = a.y < b.y ? Cost{b.y} - a.y : Cost{a.y} - b.y;

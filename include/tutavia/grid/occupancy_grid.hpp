@@ -16,7 +16,7 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// OccupancyGrid: one bit per cell.
+/// OccupancyGrid: a grid of free and blocked cells, one bit each.
 
 namespace tutavia {
 
@@ -27,12 +27,11 @@ OccupancyGrid transposed(const OccupancyGrid& grid);
 
 /// A width x height grid of free and blocked cells, one bit each in 64-bit words, row by row.
 ///
-/// At least one blocked cell pads every side, so the neighbours of any cell of the grid can be read
-/// without a test of bounds. A cell's `index` counts the padding: it addresses label arrays of
-/// `index_count()` entries.
+/// At least one blocked cell pads every side, so neighbours are read without bounds checks. A
+/// cell's `index` includes the padding: it addresses label arrays of `index_count()` entries.
 class OccupancyGrid {
  public:
-  /// A grid by value, for inner loops: what they read stays in registers, whatever they write.
+  /// A grid by value, for inner loops: its members stay in registers whatever the loop writes.
   struct View {
     const std::uint64_t* words;
     std::size_t stride;
@@ -62,7 +61,7 @@ class OccupancyGrid {
     }
   };
 
-  /// No cells at all.
+  /// A grid without cells.
   OccupancyGrid() : OccupancyGrid(0, 0, 1) {}
 
   /// Whether the indices of a grid of this size, with the padding, stay below 2^32 - 64.
@@ -72,7 +71,7 @@ class OccupancyGrid {
     return height + 2 <= max_words / words_per_row(width);
   }
 
-  /// A grid with every cell blocked. `limit_exceeded` (checked before anything is allocated) for
+  /// A grid with every cell blocked. Errors: `limit_exceeded` (checked before any allocation) for
   /// more than `max_cells` or, with the padding, 2^32 - 64 indices; `invalid_input` for a negative
   /// size.
   static Expected<OccupancyGrid, Failure> blocked(std::int64_t width, std::int64_t height,
@@ -108,7 +107,7 @@ class OccupancyGrid {
     bits_[i / 64] = free ? bits_[i / 64] | bit : bits_[i / 64] & ~bit;
   }
 
-  /// Sets the cells of row y from column `first` to `last`, as far as they lie in the grid.
+  /// Sets the cells of row y from column `first` to `last`; those outside the grid are skipped.
   void set_run(int y, int first, int last, bool free) {
     first = std::max(first, 0);
     last = std::min(last, width_ - 1);
@@ -122,7 +121,7 @@ class OccupancyGrid {
     }
   }
 
-  /// Calls `visit(first, last)` for every longest run of free (or of blocked) cells of row y, from
+  /// Calls `visit(first, last)` for every maximal run of free (or blocked) cells of row y, from
   /// left to right. \pre the row lies in the grid
   template <class Visit>
   void for_each_run(int y, bool free, Visit visit) const {
@@ -133,8 +132,8 @@ class OccupancyGrid {
     }
   }
 
-  /// The first column from x on whose cell is not free (or not blocked); the width, where there is
-  /// none. \pre the row lies in the grid
+  /// The first column from x on whose cell is not free (or not blocked), or the width. \pre the row
+  /// lies in the grid
   int run_end(int y, int x, bool free) const {
     while (x < width_) {
       const std::uint64_t bits = detail::load_bits(bits_.data(), index({x, y}));
@@ -151,7 +150,7 @@ class OccupancyGrid {
     return count;
   }
 
-  /// Position of a cell in label arrays.
+  /// The index of a cell in label arrays.
   std::size_t index(Cell cell) const { return view().index(cell); }
   Cell cell(std::size_t index) const { return view().cell(index); }
   /// One more than the largest index.
@@ -187,7 +186,7 @@ class OccupancyGrid {
   std::size_t stride_;
   int reciprocal_shift_;
   std::uint64_t reciprocal_;
-  std::vector<std::uint64_t> bits_;  // 1: free; with a spare word for loads that begin in the last
+  std::vector<std::uint64_t> bits_;  // 1: free; with a spare word for loads from the last one
 };
 
 }  // namespace tutavia

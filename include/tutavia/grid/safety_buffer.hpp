@@ -10,25 +10,25 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// A buffer of cells round the blocked ones.
+/// with_safety_buffer: blocks the cells around blocked ones.
 
 namespace tutavia {
 
 /// A grid with a safety buffer.
 struct BufferedGrid {
-  OccupancyGrid grid;            ///< blocked: what was blocked, and the buffer
-  std::vector<Cell> exempted{};  ///< cells of the buffer that stay free all the same
+  OccupancyGrid grid;            ///< blocked: the blocked cells and the buffer
+  std::vector<Cell> exempted{};  ///< cells in the buffer that were left free
 };
 
-/// Blocks all cells within `width` cells of a blocked one, diagonally too: the centres of those
-/// left are more than `width` cells from that of any blocked cell, along x or along y. The border
-/// of the grid has no buffer. Cells of `exempt` that would be swallowed (start and goal) stay free
-/// and are reported; they may be cut off from the rest.
+/// Blocks all cells within `width` cells of a blocked one, also diagonally: the centre of a free
+/// cell is more than `width` cells from that of any blocked cell, along x or along y. The border of
+/// the grid has no buffer. Cells of `exempt` (start and goal) within the buffer stay free and are
+/// reported; they may be disconnected from the other free cells.
 ///
-/// For a distance in metres, exact and round, use CellOptions::safety_radius.
+/// For an exact Euclidean distance in metres, use CellOptions::safety_radius.
 ///
-/// `invalid_option` for a negative width, `invalid_input` for an exempt cell outside the grid.
-/// Costs O(runs of blocked cells x width).
+/// Errors: `invalid_option` for a negative width, `invalid_input` for an exempt cell outside the
+/// grid. O(runs of blocked cells x width).
 ///
 /// Source: "Improved REA*", algorithm 1 ("safety buffer area", width 1); see docs/algorithms.md.
 inline Expected<BufferedGrid, Failure> with_safety_buffer(const OccupancyGrid& grid,
@@ -41,7 +41,7 @@ inline Expected<BufferedGrid, Failure> with_safety_buffer(const OccupancyGrid& g
                                                 std::to_string(cell.y) + ") lies outside the grid");
     }
   }
-  // Nothing reaches further than the grid is large, and sums do not overflow.
+  // Clamped to the size of the grid, so that sums do not overflow.
   const int wide = std::min(width, grid.width()), high = std::min(width, grid.height());
   BufferedGrid result{grid};
   for (int y = 0; y < grid.height(); ++y) {

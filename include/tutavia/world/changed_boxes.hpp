@@ -11,14 +11,14 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// changed_boxes: where two workspaces differ.
+/// changed_boxes: the boxes in which two workspaces differ.
 
 namespace tutavia {
 
-/// The boxes of the obstacles that only one of two workspaces has, in no particular order: none
-/// where both have the same ones, two for one that moved. Obstacles are the same where all their
-/// numbers are; one that stands twice in a workspace counts twice. The order of obstacles does not
-/// matter. O(n log n) for n obstacles. \pre both workspaces are valid
+/// The bounding boxes of the obstacles that only one of two workspaces has, in no particular order:
+/// empty if both have the same obstacles, two boxes for an obstacle that moved. Obstacles are the
+/// same if all their numbers are equal; duplicates count separately. The order of obstacles does
+/// not matter. O(n log n) for n obstacles. \pre both workspaces are valid
 std::vector<Box> changed_boxes(const Workspace& before, const Workspace& after);
 
 namespace detail {

@@ -7,12 +7,12 @@
 #include "tutavia/grid/cell.hpp"
 
 /// \file
-/// Frame: where the cells of a grid lie in the plane.
+/// Frame: the position and size of grid cells in the plane.
 
 namespace tutavia {
 
-/// Places grid cells in the plane: the reference point of cell (x, y) is origin + resolution (x,
-/// y). On a lattice that point is the node itself.
+/// Maps grid cells to the plane: the reference point of cell (x, y) is origin + resolution (x, y).
+/// On a lattice that point is the node itself.
 struct Frame {
   Point origin = Point::Zero();
   double resolution = 1;  ///< distance between neighbours [m]

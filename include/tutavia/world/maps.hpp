@@ -10,11 +10,11 @@
 /// The maps of two papers: array, complex and maze, and two scenes for sampling.
 ///
 /// Source of the first three: Abdulshaheed 2025, "A Delta-Smoothed Path Algorithm". The paper
-/// prints pictures and lengths, no coordinates: the geometry is a reconstruction, fitted until the
-/// published A* lengths came out. Lattice spacing 0.2 m as published, safety radius 0.3 m chosen.
-/// Source of the scenes: the improved RRT* of MM Science Journal, October 2023 (RRTS), likewise
-/// reconstructed from its pictures: 50 x 50 m with five and six obstacles, from corner to corner, a
-/// robot without extent.
+/// prints pictures and lengths, but no coordinates: the geometry is a reconstruction, fitted to the
+/// published A* lengths. The lattice spacing of 0.2 m is as published; the safety radius of 0.3 m
+/// is our choice. Source of the scenes: the improved RRT* of MM Science Journal, October 2023
+/// (RRTS), also reconstructed from its pictures: 50 x 50 m with five and six obstacles, from corner
+/// to corner, for a point robot.
 
 namespace tutavia::maps {
 /// Four by four rectangular pillars in 16 x 16 m.

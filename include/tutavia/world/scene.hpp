@@ -9,11 +9,11 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// Scene: a workspace with something to do in it.
+/// Scene: a workspace with a start and goals.
 
 namespace tutavia {
 
-/// A workspace with a name, a start, goals and the resolution that suits it.
+/// A workspace with a name, a start, goals and a suitable resolution.
 struct Scene {
   std::string name{};
   Workspace workspace{};

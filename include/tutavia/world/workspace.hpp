@@ -13,7 +13,7 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// Workspace: where the robot may be.
+/// Workspace: bounds, obstacles and safety radius.
 
 namespace tutavia {
 
@@ -23,27 +23,27 @@ struct Disc {
   double radius = 0;  ///< [m]; 0 is a single point
 };
 
-/// What the robot has to keep away from.
+/// A solid obstacle that the robot must avoid.
 using Obstacle = std::variant<Polygon, Disc>;
 
 namespace detail {
 
-/// The box around an obstacle.
+/// The bounding box of an obstacle.
 Box box_of(const Obstacle& obstacle);
 
 }  // namespace detail
 
-/// Bounds, obstacles and the distance to keep from them.
+/// The bounds, the obstacles and the distance to keep from them.
 ///
 /// Free space is closed: the points of `bounds` at a distance of `safety_radius` or more from every
 /// obstacle. The bounds limit the robot's centre and are not inflated. Obstacles may overlap,
-/// touch, lie inside one another or reach beyond the bounds.
+/// touch, nest or extend beyond the bounds.
 struct Workspace {
   Box bounds;
-  double safety_radius = 0;  ///< [m]: robot radius plus whatever else it should keep
+  double safety_radius = 0;  ///< [m]: the robot's radius plus any extra margin
   std::vector<Obstacle> obstacles{};
 
-  /// The box around all obstacles; empty without any.
+  /// The bounding box of all obstacles; empty without any.
   Box extent() const;
 
   /// The largest magnitude among all coordinates [m]; rounding errors are proportional to it.
@@ -52,7 +52,7 @@ struct Workspace {
 
 namespace detail {
 
-/// The coordinates that predicates handle without overflow or underflow.
+/// Whether predicates handle a coordinate without overflow or underflow.
 inline bool is_valid_coordinate(double x) {
   return x == 0 || (std::abs(x) >= 0x1p-400 && std::abs(x) <= 0x1p400);
 }
@@ -63,7 +63,7 @@ inline bool is_valid_point(const Point& p) {
 inline constexpr const char* coordinate_rule =
     "must be finite, and 0 or between 2^-400 and 2^400 in magnitude";
 
-/// A error_message about the first bad point of a ring, or nothing.
+/// A message about the first invalid point of a ring; empty if there is none.
 inline std::string error_message(const Ring& ring, const std::string& name) {
   if (ring.empty()) return name + " has no points";
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -90,8 +90,8 @@ inline std::string error_message(const Obstacle& obstacle, const std::string& na
   return result;
 }
 
-/// The rounding error of one distance computed from coordinates up to `magnitude`, with room to
-/// spare [m]: 16 u M. Constructions keep twice this much more than they need.
+/// The rounding error of one distance computed from coordinates up to `magnitude`, with a reserve
+/// [m]: 16 u M. Constructed paths keep twice this much as an extra margin.
 inline double distance_rounding_error(double magnitude) { return 16 * 0x1p-53 * magnitude; }
 
 inline Box box_of(const Obstacle& obstacle) {
@@ -124,8 +124,8 @@ inline double Workspace::largest_coordinate() const {
                            : std::fmax(bounds.largest_coordinate(), extent().largest_coordinate());
 }
 
-/// Checks that a workspace can be planned in: `invalid_input` with the object and its index for a
-/// coordinate that is not finite or has a magnitude outside 2^-400 to 2^400 (0 is fine), an empty
+/// Checks a workspace before planning. Errors: `invalid_input` with the object and its index for a
+/// coordinate that is not finite or has a magnitude outside 2^-400 to 2^400 (0 is valid), an empty
 /// ring, a negative radius, empty bounds, or coordinates so large that their rounding (32 u M)
 /// exceeds a thousandth of the safety radius.
 inline Expected<void, Failure> validate(const Workspace& workspace) {

@@ -8,18 +8,18 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// WorkspaceReport: what is unusual about a workspace, and how it is read.
+/// WorkspaceReport: unusual features of a workspace, and how the library treats them.
 
 namespace tutavia {
 
-/// What a workspace has that its author may not have meant. None of it is an error: the library
-/// removes, corrects or reads it conservatively, as said here.
+/// Features of a workspace that its author may not have intended. None is an error: the library
+/// treats each as described here.
 struct WorkspaceReport {
   std::size_t repeated_points = 0;          ///< removed
-  std::size_t clockwise_rings = 0;          ///< outer rings; either orientation will do
+  std::size_t clockwise_rings = 0;          ///< outer rings; both orientations are valid
   std::vector<std::size_t> without_area{};  ///< obstacles kept as segments or points
   /// Obstacles with rings that touch or cross themselves or each other: every edge blocks, and the
-  /// inside is read so that the obstacle never shrinks (see tutavia::contains).
+  /// interior is chosen so that the obstacle never shrinks (see tutavia::contains).
   std::vector<std::size_t> self_crossing{};
 
   bool empty() const {
@@ -28,7 +28,7 @@ struct WorkspaceReport {
   }
 };
 
-/// Looks through a valid workspace: O(n log n) per obstacle for rings as they usually are.
+/// Inspects a valid workspace. O(n log n) per obstacle, unless very many edges share abscissas.
 inline WorkspaceReport inspect(const Workspace& workspace) {
   WorkspaceReport report;
   for (std::size_t i = 0; i < workspace.obstacles.size(); ++i) {

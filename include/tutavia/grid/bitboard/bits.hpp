@@ -11,10 +11,10 @@
 
 namespace tutavia::detail {
 
-/// How many bits `load_bits` gives at least.
+/// The number of valid bits that `load_bits` guarantees.
 inline constexpr std::size_t loaded_bits = 57;
 
-/// At least 57 bits of an array of words, from bit `first` on; what lies above them is undefined.
+/// At least 57 bits of an array of words, from bit `first` on; the bits above them are undefined.
 /// \pre the array holds bit first + 63
 inline std::uint64_t load_bits(const std::uint64_t* words, std::size_t first) {
   if constexpr (std::endian::native == std::endian::little) {

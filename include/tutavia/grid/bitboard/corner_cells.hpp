@@ -4,15 +4,16 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// Corners of cells, the places where any-angle paths bend.
+/// CornerCells: the cells around a corner, where any-angle paths bend.
 
 namespace tutavia::detail {
 
-/// The four cells around a corner, free or not. Corner (x, y) is the lower left one of cell (x, y).
+/// Which of the four cells around a corner are free. Corner (x, y) is the lower left one of cell
+/// (x, y).
 struct CornerCells {
   bool ne, nw, sw, se;
 
-  /// \pre the corner is one of a cell of the grid; what lies beyond the grid is blocked
+  /// \pre the corner is one of a cell of the grid; the outside of the grid is blocked
   CornerCells(const OccupancyGrid& grid, Cell corner)
       : ne(grid.is_free(corner)),
         nw(grid.is_free(corner + Cell{-1, 0})),
@@ -20,9 +21,9 @@ struct CornerCells {
         se(grid.is_free(corner + Cell{0, -1})) {}
 
   bool any_free() const { return ne || nw || sw || se; }
-  /// Whether two blocked cells touch here by the corner alone.
+  /// Whether two blocked cells touch at this corner only.
   bool is_double() const { return ne == sw && nw == se && ne != nw; }
-  /// Whether walls end or turn here.
+  /// Whether the boundary of the blocked cells has a vertex here.
   bool is_vertex() const { return !((ne == nw && sw == se) || (ne == se && nw == sw)); }
 };
 

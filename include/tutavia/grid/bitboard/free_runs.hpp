@@ -23,14 +23,14 @@ struct CellBox {
   friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
-/// The longest free runs of every row, found in the grid's bits when they are asked for: a
-/// decomposition of free space into convex pieces that costs nothing to prepare.
+/// The maximal free runs of every row, read from the grid's bits on demand: a decomposition of free
+/// space into convex pieces that needs no preparation.
 ///
-/// Two runs are neighbours where they share a side of positive length; those that only touch at a
-/// corner are not, so that no path passes between two blocked cells that touch.
+/// Two runs are neighbours if they share a side of positive length. Runs that touch at a corner
+/// only are not, so no path passes between two blocked cells that touch.
 class FreeRuns {
  public:
-  /// A run by the index of any of its cells.
+  /// A run, given by the index of any of its cells.
   using Piece = std::uint32_t;
 
   explicit FreeRuns(const OccupancyGrid& grid) : grid_(grid) {}
@@ -52,15 +52,16 @@ class FreeRuns {
     }
   }
 
-  /// Whether a point lies in a run or on its border; `place(corner)` says where corners lie.
+  /// Whether a point lies in a run or on its border; `coordinates(corner)` gives the position of a
+  /// corner.
   template <class Coords>
-  bool holds(Piece piece, const Point& p, const Coords& place) const {
+  bool holds(Piece piece, const Point& p, const Coords& coordinates) const {
     const CellBox box = open(piece);
-    return Box{place(Cell{box.x0, box.y0}), place(Cell{box.x1, box.y1})}.contains(p);
+    return Box{coordinates(Cell{box.x0, box.y0}), coordinates(Cell{box.x1, box.y1})}.contains(p);
   }
 
   /// Calls `visit(right, left, piece)` for every side that the box of a run shares with a
-  /// neighbour: its ends as seen from within.
+  /// neighbour. `right` and `left` are the ends of the side as seen from inside.
   template <class Visit>
   void for_each_exit(const CellBox& box, const Visit& visit) const {
     for_each_run(box.y0 - 1, box, [&](int x0, int x1) {
@@ -74,7 +75,7 @@ class FreeRuns {
  private:
   Piece piece(Cell cell) const { return static_cast<Piece>(grid_.index(cell)); }
 
-  /// Calls `visit(x0, x1)` for the parts of a row's runs that lie between a box's sides.
+  /// Calls `visit(x0, x1)` for the parts of a row's runs between the left and right side of a box.
   template <class Visit>
   void for_each_run(int y, const CellBox& box, const Visit& visit) const {
     if (y < 0 || y >= grid_.height()) return;
@@ -86,12 +87,12 @@ class FreeRuns {
     }
   }
 
-  /// The column where the free run of a cell begins.
+  /// The first column of the free run of a cell.
   int first(Cell cell) const {
     constexpr int before = static_cast<int>(loaded_bits) - 1;
     constexpr std::uint64_t mask = (std::uint64_t{1} << loaded_bits) - 1;
     const std::uint64_t* words = grid_.words().data();
-    while (true) {  // the padding ends it
+    while (true) {  // ends at the padding
       const std::size_t from = grid_.index(cell) - static_cast<std::size_t>(before);
       const std::uint64_t blocked = ~load_bits(words, from) & mask;
       if (blocked != 0) return cell.x - before + (64 - std::countl_zero(blocked));

@@ -12,17 +12,17 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// StopPlanes: where straight jumps end.
+/// StopPlanes: the cells at which straight jumps end.
 
 namespace tutavia::detail {
 
-/// For each of the four straight directions a bit per cell: set where a jump in that direction has
-/// to stop, because the cell is blocked or has a forced neighbour under `no_cut`: a side that opens
-/// behind a blocked cell. A jump is then a search for the next bit.
+/// One bit per cell for each of the four straight directions. It is set if a jump in that direction
+/// stops at the cell, because the cell is blocked or has a forced neighbour under `no_cut` (a free
+/// cell beside it, behind a blocked one). A jump is then a search for the next set bit.
 ///
-/// East and west lie row by row like the grid, north (+y) and south column by column. Source: the
-/// block-based scanning of Harabor and Grastien 2014, "Improving jump point search", with its
-/// result kept instead of computed.
+/// The planes for east and west are stored row by row like the grid, those for north (+y) and south
+/// column by column. Source: the block-based scanning of Harabor and Grastien 2014, "Improving jump
+/// point search", with its results stored instead of recomputed.
 class StopPlanes {
  public:
   explicit StopPlanes(const OccupancyGrid& grid)
@@ -34,7 +34,7 @@ class StopPlanes {
     build(transposed(grid).words(), column_stride_ / 64, columns, planes_[1], planes_[3]);
   }
 
-  /// Where a cell stands in the planes.
+  /// The bit indices of a cell in the planes.
   struct PlaneIndex {
     std::size_t in_rows;
     std::size_t in_columns;

@@ -8,19 +8,19 @@
 #include "tutavia/grid/movement.hpp"
 
 /// \file
-/// Successor tables: which steps a neighbourhood allows, and which of them a search needs.
+/// Successor tables: the steps that a neighbourhood allows, and those of them that a search needs.
 
 namespace tutavia::detail {
 
 /// The eight neighbours of a cell, a bit each (1: free), row by row from (x - 1, y - 1).
 using Neighbourhood = std::uint8_t;
 
-/// Stands for "no step": the place of a search's first cell.
+/// Stands for "no step": the step of arrival at the first cell of a search.
 inline constexpr std::size_t no_step = 8;
 
 constexpr std::size_t opposite(std::size_t step) { return (step + 4) % 8; }
 
-/// Where the neighbour in direction `step` stands in a Neighbourhood.
+/// The bit of the neighbour in direction `step` in a Neighbourhood.
 inline constexpr std::array<unsigned, 8> neighbour_bit{4, 7, 6, 5, 3, 0, 1, 2};
 
 constexpr bool is_free(Neighbourhood around, std::size_t step) {
@@ -50,23 +50,23 @@ constexpr SuccessorTable successor_table(MovementRule rule) {
   return table;
 }
 
-/// For each step of arrival (`no_step`: none) and every neighbourhood, the steps that a search has
-/// to follow: the others lead to cells that some path around the middle reaches at no greater cost.
-/// Of two equal paths the one with its diagonal steps first is followed (with its vertical steps
-/// first where there are no diagonals). Source: Harabor and Grastien 2011, "Online graph pruning
-/// for pathfinding on grid maps", section 3; Sturtevant and Rabin 2016, "Canonical orderings on
-/// grids".
+/// For each step of arrival (`no_step`: none) and every neighbourhood, the steps that a search must
+/// follow. Every other step leads to a cell that a path around the middle cell reaches at no
+/// greater cost. Among paths of equal cost, the one with diagonal steps first is kept (with
+/// vertical steps first if there are no diagonals). Source: Harabor and Grastien 2011, "Online
+/// graph pruning for pathfinding on grid maps", section 3; Sturtevant and Rabin 2016, "Canonical
+/// orderings on grids".
 using CanonicalTable = std::array<SuccessorTable, 9>;
 
-/// Cost of the cheapest way from one neighbour of a cell to another in at most two steps, not by
-/// the cell itself; more steps never pay.
+/// Cost of the cheapest path from one neighbour of a cell to another that avoids the cell itself,
+/// in at most two steps; longer paths are never better.
 constexpr Cost cost_around(Neighbourhood around, std::size_t from, std::size_t to,
                            MovementRule rule) {
   constexpr Cost none = 1 << 30;
   const auto free = [&](Cell c) {
-    // The neighbours row by row, without the middle.
-    const int place = 3 * (c.y + 1) + c.x + 1;
-    return place == 4 || ((around >> (place < 4 ? place : place - 1)) & 1) != 0;
+    // Neighbours are numbered row by row; the middle has no bit.
+    const int index = 3 * (c.y + 1) + c.x + 1;
+    return index == 4 || ((around >> (index < 4 ? index : index - 1)) & 1) != 0;
   };
   const auto step_between = [&](Cell a, Cell b) {
     const Cell d = b - a;
@@ -108,8 +108,8 @@ inline CanonicalTable make_canonical_table(MovementRule rule) {
   return table;
 }
 
-/// The successor table of a rule, made at the first use: evaluated by the compiler it would cost
-/// each file that includes the header a fifth of a second.
+/// The successor table of a rule, built at its first use: as a constant expression it would add a
+/// fifth of a second to the compilation of every file that includes this header.
 inline const SuccessorTable& all_successors(MovementRule rule) {
   static const std::array<SuccessorTable, 4> tables{
       successor_table(MovementRule::no_cut), successor_table(MovementRule::no_squeeze),
@@ -117,7 +117,7 @@ inline const SuccessorTable& all_successors(MovementRule rule) {
   return tables[static_cast<std::size_t>(rule)];
 }
 
-/// The canonical table of a rule, made at its first use.
+/// The canonical table of a rule, built at its first use.
 template <MovementRule Rule>
 const CanonicalTable& canonical_table() {
   static const CanonicalTable table = make_canonical_table(Rule);

@@ -8,7 +8,7 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// Grids with rows and columns exchanged, for what looks along columns.
+/// transposed: a grid with rows and columns exchanged, for scans along columns.
 
 namespace tutavia::detail {
 
@@ -25,12 +25,12 @@ inline void transpose_64(std::array<std::uint64_t, 64>& rows) {
   }
 }
 
-/// The grid in which cell (y, x) is what cell (x, y) is in `grid`; 64 x 64 cells at a time.
+/// The transpose of a grid, computed in blocks of 64 x 64 cells.
 inline OccupancyGrid transposed(const OccupancyGrid& grid) {
   OccupancyGrid result = OccupancyGrid::blocked(grid.height(), grid.width(),
                                                 std::int64_t{grid.height()} * grid.width())
                              .value();
-  // With their padding.
+  // Sizes with the padding.
   const std::size_t rows = static_cast<std::size_t>(grid.height()) + 2;
   const std::size_t columns = static_cast<std::size_t>(grid.width()) + 2;
   const std::size_t per_row = grid.stride() / 64, per_column = result.stride() / 64;
