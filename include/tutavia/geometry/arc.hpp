@@ -12,14 +12,13 @@
 #include "tutavia/geometry/segment.hpp"
 
 /// \file
-/// Arc: a circular piece, and distances to it.
+/// Arc: a circular arc, and its distance to a segment.
 
 namespace tutavia {
 
 /// The circular arc around `center` from angle `start_angle` through `sweep` (positive: left turn,
-/// at most a full circle), with its ends as exact points, so that it joins other pieces without a
-/// gap; parameter t in [0, 1]. The ends may be off the circle by rounding: `evaluation_error()`
-/// covers it.
+/// at most a full circle); parameter t in [0, 1]. Its ends are stored, so that it joins other
+/// pieces without a gap. Rounding may put them off the circle; `evaluation_error()` includes that.
 struct Arc {
   Point a = Point::Zero();
   Point b = Point::Zero();
@@ -65,8 +64,8 @@ struct Arc {
            std::isfinite(start_angle) && std::abs(sweep) <= 2 * std::numbers::pi;
   }
 
-  /// The parameter at which the arc has the direction of `v` from its centre, where it reaches it;
-  /// else something outside [0, 1].
+  /// The parameter of the point of the arc in direction `v` from its centre; outside [0, 1] if
+  /// there is none.
   double parameter_towards(const Point& v) const {
     if (sweep == 0) return std::numeric_limits<double>::infinity();
     double turn = std::remainder(heading(v) - start_angle, 2 * std::numbers::pi);
@@ -75,7 +74,7 @@ struct Arc {
     return turn / sweep;
   }
 
-  /// Parameter of the point nearest to `p`, the smallest where several are as near.
+  /// Parameter of the point nearest to `p`; the smallest one in case of a tie.
   double nearest_parameter(const Point& p) const {
     const double towards = parameter_towards({p.x() - center.x(), p.y() - center.y()});
     double nearest = 0, least = distance(p, a);
@@ -87,8 +86,8 @@ struct Arc {
     return nearest;
   }
 
-  /// Calls `visit(t)` for every place between the ends where x or y is extreme: at whole quarters
-  /// of a turn.
+  /// Calls `visit(t)` for every parameter between the ends at which x or y is extreme: at multiples
+  /// of a quarter turn.
   template <class Visit>
   void for_each_extreme(Visit visit) const {
     constexpr double quarter = std::numbers::pi / 2;
@@ -100,15 +99,15 @@ struct Arc {
     }
   }
 
-  /// The box of the ends and the extremes, right up to `evaluation_error()`.
+  /// The bounding box, up to `evaluation_error()`.
   Box box() const {
     Box box = Box::around({a, b});
     for_each_extreme([&](double t) { box.include(on_circle(t)); });
     return box;
   }
 
-  /// How far `point(t)` and the ends may be from the circle of these numbers [m]: the ends' own
-  /// gap, and rounding of angles, of sine and cosine and of the sum.
+  /// A bound on the distance of `point(t)` and the ends from the exact circle [m]: the distance of
+  /// the stored ends from it, plus rounding of angles, sine, cosine and the sum.
   double evaluation_error() const {
     const double gap = std::fmax(distance(a, on_circle(0)), distance(b, on_circle(1)));
     const double angles = 4 + std::abs(start_angle) + std::abs(sweep);
@@ -128,9 +127,9 @@ struct Arc {
 
 namespace detail {
 
-/// The shortest distance between an arc and a segment and a place on the arc where it is attained,
-/// in closed form: the ends of both, the foot of the perpendicular from the centre, and where line
-/// and circle meet.
+/// The shortest distance between an arc and a segment, and a parameter of the arc that attains it.
+/// In closed form: candidates are the ends of both, the foot of the perpendicular from the centre,
+/// and the intersections of line and circle.
 inline ClosestApproach closest_approach(const Arc& arc, const Segment& segment) {
   ClosestApproach best{distance(arc.a, segment), 0};
   const auto consider = [&](double distance, double parameter) {
@@ -149,11 +148,11 @@ inline ClosestApproach closest_approach(const Arc& arc, const Segment& segment) 
   const double length = along.norm();
   if (!(length > 0)) return best;
   const Point unit{along.x() / length, along.y() / length};
-  const double place = -from_centre.dot(unit);  // of the foot, along the segment
+  const double foot_at = -from_centre.dot(unit);  // position of the foot along the segment
   const double offset = cross(from_centre, unit);
-  const Point foot{offset * unit.y(), -offset * unit.x()};  // seen from the centre
+  const Point foot{offset * unit.y(), -offset * unit.x()};  // relative to the centre
   const double height = std::abs(offset);
-  if (place >= 0 && place <= length) {
+  if (foot_at >= 0 && foot_at <= length) {
     if (height > 0) {
       consider_towards(foot, std::abs(height - arc.radius));
     } else {
@@ -164,7 +163,7 @@ inline ClosestApproach closest_approach(const Arc& arc, const Segment& segment) 
   if (height < arc.radius) {
     const double half = std::sqrt((arc.radius - height) * (arc.radius + height));
     for (const double side : {-half, half}) {
-      if (place + side < 0 || place + side > length) continue;
+      if (foot_at + side < 0 || foot_at + side > length) continue;
       consider_towards({foot.x() + side * unit.x(), foot.y() + side * unit.y()}, 0);
     }
   }

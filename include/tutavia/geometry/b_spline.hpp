@@ -10,7 +10,7 @@
 #include "tutavia/geometry/bezier.hpp"
 
 /// \file
-/// Cubic B-splines as the Bezier pieces that they are.
+/// Conversion of cubic B-splines to Bezier pieces.
 
 namespace tutavia {
 
@@ -21,7 +21,8 @@ inline double clamped_knot(std::size_t i, std::size_t n) {
   return static_cast<double>(i < 3 ? 0 : i > n ? n - 3 : i - 3);
 }
 
-/// The blossom of the spline's span k at (u, v, w): de Boor's algorithm with an argument per level.
+/// The blossom of the spline's span k at (u, v, w): de Boor's algorithm with one argument per
+/// level.
 inline Point blossom(std::span<const Point> control, std::size_t k, double u, double v, double w) {
   std::array<Point, 4> p{control[k], control[k + 1], control[k + 2], control[k + 3]};
   const std::array<double, 3> arguments{u, v, w};
@@ -35,10 +36,11 @@ inline Point blossom(std::span<const Point> control, std::size_t k, double u, do
   return p[3];
 }
 
-/// The pieces of the cubic B-spline with clamped uniform knots: one for every four control points
-/// in a row, in whose convex hull it lies. The spline begins and ends at the first and the last
-/// control point, exactly, in the directions of the first and the last leg; pieces meet exactly,
-/// with continuous curvature but for rounding. Its length is at most that of its control polygon.
+/// The Bezier pieces of the cubic B-spline with clamped uniform knots: one for every four
+/// consecutive control points, in whose convex hull it lies. The spline starts exactly at the first
+/// control point and ends exactly at the last one, in the directions of the first and last leg.
+/// Pieces meet exactly, with continuous curvature up to rounding. Its length is at most that of its
+/// control polygon.
 /// Source: Boehm 1980, "Inserting new knots into B-spline curves". \pre four points or more
 inline std::vector<CubicBezier> bezier_pieces(std::span<const Point> control) {
   TUTAVIA_ASSERT(control.size() >= 4);

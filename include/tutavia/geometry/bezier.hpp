@@ -51,8 +51,8 @@ struct Bezier {
     return {Degree * (Degree - 1) * between.x(), Degree * (Degree - 1) * between.y()};
   }
 
-  /// Direction in which the piece leaves its start, also where control points coincide; null only
-  /// for a single point.
+  /// Direction of travel at the start, also if control points coincide; zero only for a single
+  /// point.
   Point start_direction() const {
     for (std::size_t i = 1; i <= Degree; ++i) {
       if (points[i] != start()) return points[i] - start();
@@ -60,7 +60,7 @@ struct Bezier {
     return Point::Zero();
   }
 
-  /// Direction in which the piece arrives at its end.
+  /// Direction of travel at the end; see `start_direction`.
   Point end_direction() const {
     for (std::size_t i = Degree; i-- > 0;) {
       if (points[i] != end()) return end() - points[i];
@@ -74,7 +74,7 @@ struct Bezier {
   /// Arc length from the start to parameter t.
   double length_to(double t) const { return t == 1 ? length() : head(t).length(); }
 
-  /// Box of the control points; it holds the piece.
+  /// Box of the control points, which contains the piece.
   Box box() const {
     Box box;
     for (const Point& p : points) box.include(p);
@@ -86,9 +86,9 @@ struct Bezier {
                        [](const Point& p) { return tutavia::detail::is_finite(p); });
   }
 
-  /// Parameter of the point nearest to `p`, the smallest where several are as near; see
-  /// detail::ClosestParameter. Its distance exceeds the least by 4e-12 of the piece's size and
-  /// 2^-44 of the distance at most.
+  /// Parameter of the point nearest to `p`; the smallest one in case of a tie. Its distance exceeds
+  /// the minimum by at most 4e-12 of the piece's size plus 2^-44 of the distance; see
+  /// detail::ClosestParameter.
   double nearest_parameter(const Point& p) const {
     return detail::ClosestParameter<Bezier>(relative_to(p)).parameter();
   }
@@ -141,8 +141,8 @@ struct Bezier {
     return result;
   }
 
-  /// The piece with `p` as the origin: what is computed of it then errs by its size and its
-  /// distance from p, however far both are from the old origin.
+  /// The piece with `p` as the origin. Rounding errors then scale with the size of the piece and
+  /// its distance from `p`, not with its coordinates.
   Bezier relative_to(const Point& p) const {
     Bezier result = *this;
     for (Point& q : result.points) q = {q.x() - p.x(), q.y() - p.y()};
@@ -170,7 +170,7 @@ struct Bezier {
   }
 
   /// Whether no two legs of the control polygon differ by more than 60 degrees or by a factor of
-  /// more than 4: the speed then varies gently, and quadrature converges fast.
+  /// more than 4: the speed then varies little, and quadrature converges fast.
   bool is_gentle() const {
     for (std::size_t i = 0; i < Degree; ++i) {
       for (std::size_t j = 0; j < Degree; ++j) {
@@ -183,7 +183,7 @@ struct Bezier {
     return true;
   }
 
-  /// Halves the piece until every part is gentle or shorter than `tolerance`.
+  /// Arc length; halves the piece until every part is gentle or shorter than `tolerance`.
   double length_within(double tolerance, int halvings) const {
     const double polygon = polygon_length();
     if (!(polygon > tolerance) || halvings == 0 || !is_finite()) return polygon;

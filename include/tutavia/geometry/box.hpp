@@ -25,7 +25,7 @@ struct Box {
   }
 
   void include(const Point& p) {
-    // Not std::fmin and std::fmax, which are function calls; NaN is left out all the same.
+    // Not std::fmin and std::fmax, which are function calls; these comparisons ignore NaN, too.
     min = {p.x() < min.x() ? p.x() : min.x(), p.y() < min.y() ? p.y() : min.y()};
     max = {p.x() > max.x() ? p.x() : max.x(), p.y() > max.y() ? p.y() : max.y()};
   }
@@ -35,7 +35,7 @@ struct Box {
   }
   bool contains(const Box& other) const { return contains(other.min) && contains(other.max); }
 
-  /// Grown by `margin` on every side (shrunk where it is negative).
+  /// The box grown by `margin` on every side (shrunk if negative).
   Box inflated(double margin) const {
     return {{min.x() - margin, min.y() - margin}, {max.x() + margin, max.y() + margin}};
   }
@@ -49,7 +49,7 @@ struct Box {
   double width() const { return max.x() - min.x(); }
   double height() const { return max.y() - min.y(); }
 
-  /// The largest coordinate's magnitude.
+  /// The largest magnitude of a coordinate.
   double largest_coordinate() const {
     return std::fmax(detail::max_magnitude(min), detail::max_magnitude(max));
   }

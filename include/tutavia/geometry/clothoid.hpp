@@ -14,16 +14,16 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// Clothoid: a piece whose curvature grows evenly along it.
+/// Clothoid: a curve whose curvature is linear in its arc length.
 
 namespace tutavia {
 
-/// The curve from `a` on with the curvature start_curvature + sharpness s at arc length s (a Cornu
-/// or Euler spiral; a circular arc at sharpness 0, straight where both are 0); parameter t in
-/// [0, 1], with s = t arc_length. Its end is stored, so that it joins other pieces without a gap;
-/// it may be off the curve by rounding: `evaluation_error()` covers it.
+/// The curve from `a` with curvature start_curvature + sharpness s at arc length s (a Cornu or
+/// Euler spiral; a circular arc if sharpness is 0, straight if both are 0); parameter t in [0, 1],
+/// with s = t arc_length. Its end is stored, so that it joins other pieces without a gap. Rounding
+/// may put it off the curve; `evaluation_error()` includes that.
 ///
-/// Places are integrals of the direction, by quadrature: O(1 + turn).
+/// Points are integrals of the direction, by quadrature: O(1 + turn).
 struct Clothoid {
   Point a = Point::Zero();
   Point b = Point::Zero();
@@ -93,38 +93,39 @@ struct Clothoid {
     return result;
   }
 
-  /// Whether the numbers make a curve: finite, no negative length, no more than `max_turn`.
+  /// Whether the numbers define a curve: finite, length not negative, turn at most `max_turn`.
   bool is_finite() const {
     return tutavia::detail::is_finite(a) && tutavia::detail::is_finite(b) &&
            std::isfinite(start_heading) && std::isfinite(sharpness) && std::isfinite(arc_length) &&
            arc_length >= 0 && largest_curvature() * arc_length <= max_turn;
   }
 
-  /// Bound on the distance between the curve and its chord at the same parameter: that of a
-  /// function with the second derivative curvature.
+  /// Bound on the distance between the curve and its chord at the same parameter, from the bound on
+  /// its second derivative.
   double deviation() const { return largest_curvature() * arc_length * arc_length / 8; }
-  /// The box of the ends and the deviation, right up to `evaluation_error()`.
+  /// A box that contains the curve up to `evaluation_error()`: that of the ends, grown by the
+  /// deviation.
   Box box() const { return Box::around({a, b}).inflated(deviation()); }
 
-  /// Parameter of the point nearest to `p`, the smallest where several are as near; see
+  /// Parameter of the point nearest to `p`; the smallest one in case of a tie; see
   /// detail::ClosestParameter.
   double nearest_parameter(const Point& p) const {
     return detail::ClosestParameter<Clothoid>(relative_to(p)).parameter();
   }
 
-  /// How far `point(t)` may be from the curve of these numbers, for the rounding of the angles, of
-  /// sine and cosine, of the quadrature and of the sum [m].
+  /// A bound on the distance of `point(t)` from the exact curve [m], from rounding of the angles,
+  /// sine, cosine, the quadrature and the sum.
   double rounding() const {
     const double angles = 8 + std::abs(start_heading) + largest_curvature() * arc_length;
     return 4 * 0x1p-53 * (detail::max_magnitude(a) + arc_length * angles);
   }
-  /// The same with the gap between the end as stored and as computed [m].
+  /// `rounding()` plus the distance between the stored and the computed end [m].
   double evaluation_error() const { return distance(b, on_curve(1)) + rounding(); }
 
  private:
   Point on_curve(double t) const {
     const double s = t * arc_length;
-    // Eight nodes integrate a direction that turns no faster than by 2 / 3 to the last digits.
+    // Eight nodes integrate a direction that turns by at most 2/3 to the last digits.
     const double fastest =
         1.5 * std::fmax(std::abs(start_curvature), std::abs(curvature_at(t))) * s;
     const int parts = static_cast<int>(std::ceil(std::fmin(std::fmax(fastest, 1), 1.5 * max_turn)));

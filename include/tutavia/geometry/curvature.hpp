@@ -15,11 +15,11 @@
 #include "tutavia/geometry/segment.hpp"
 
 /// \file
-/// The curvature of a piece, and where it is largest.
+/// curvature and max_curvature of a piece.
 
 namespace tutavia {
 
-/// Curvature at parameter t [1/m], left turns positive; 0 where the piece stands still.
+/// Curvature at parameter t [1/m], left turns positive; 0 if the velocity is 0.
 template <class P>
 double curvature(const P& piece, double t) {
   const Point d = piece.derivative(t);
@@ -29,7 +29,7 @@ double curvature(const P& piece, double t) {
 
 namespace detail {
 
-/// Whether no two legs of the control polygon are further than `rounding` from parallel.
+/// Whether the legs of the control polygon are parallel, up to `rounding` [m].
 template <std::size_t Degree>
 bool is_straight(const Bezier<Degree>& piece, double rounding) {
   const auto& p = piece.points;
@@ -43,8 +43,8 @@ bool is_straight(const Bezier<Degree>& piece, double rounding) {
   return widest <= rounding * longest;
 }
 
-/// Where the curvature may be extreme between the ends: for a parabola where the velocity is
-/// perpendicular to the acceleration, B' . B'' = 0.
+/// Calls `visit(t)` for the parameters between the ends at which the curvature may be extreme. For
+/// a parabola: where velocity and acceleration are perpendicular, B' . B'' = 0.
 template <class Visit>
 void for_each_curvature_extreme(const QuadraticBezier& piece, Visit visit) {
   const Point acceleration = piece.second_derivative(0);
@@ -52,10 +52,10 @@ void for_each_curvature_extreme(const QuadraticBezier& piece, Visit visit) {
   if (0 < t && t < 1) visit(t);
 }
 
-/// For a cubic: where the derivative of (B' x B'') / |B'|^3 is 0, that is
-/// (B' x B''') |B'|^2 = 3 (B' x B'') (B' . B''), and where the piece is slowest. Near a cusp the
-/// curvature is largest where the piece is slowest, and there three roots of the former lie too
-/// close together to be found well.
+/// For a cubic: the roots of the derivative of (B' x B'') / |B'|^3, that is (B' x B''') |B'|^2 = 3
+/// (B' x B'') (B' . B''), and the minima of the speed. Near a cusp the curvature is largest at the
+/// minimum of the speed, where three roots of the first equation lie too close together to be
+/// computed well.
 template <class Visit>
 void for_each_curvature_extreme(const CubicBezier& piece, Visit visit) {
   std::array<Point, 3> legs;
@@ -70,14 +70,14 @@ void for_each_curvature_extreme(const CubicBezier& piece, Visit visit) {
   const Point c = offset_along(offset_along(legs[2], -1, legs[1]), -1, b);
   const Polynomial<3> x{a.x(), 2 * b.x(), c.x()}, y{a.y(), 2 * b.y(), c.y()};
   const Polynomial<3> bend{2 * cross(a, b), 2 * cross(a, c), 2 * cross(b, c)};  // B' x B''
-  Polynomial<5> square = multiply(x, x);
-  const Polynomial<5> square_of_y = multiply(y, y);
-  for (std::size_t i = 0; i < 5; ++i) square[i] += square_of_y[i];
-  const Polynomial<4> square_slope = derivative(square);  // twice B' . B''
-  Polynomial<6> slope = multiply(derivative(bend), square);
-  const Polynomial<6> subtrahend = multiply(bend, square_slope);
+  Polynomial<5> squared_speed = multiply(x, x);
+  const Polynomial<5> squared_y = multiply(y, y);
+  for (std::size_t i = 0; i < 5; ++i) squared_speed[i] += squared_y[i];
+  const Polynomial<4> speed_slope = derivative(squared_speed);  // twice B' . B''
+  Polynomial<6> slope = multiply(derivative(bend), squared_speed);
+  const Polynomial<6> subtrahend = multiply(bend, speed_slope);
   for (std::size_t i = 0; i < 6; ++i) slope[i] -= 1.5 * subtrahend[i];
-  for (const double t : roots_in_unit_interval(square_slope)) visit(t);
+  for (const double t : roots_in_unit_interval(speed_slope)) visit(t);
   for (const double t : roots_in_unit_interval(slope)) visit(t);
 }
 
@@ -86,27 +86,26 @@ void for_each_curvature_extreme(const CubicBezier& piece, Visit visit) {
 /// Largest magnitude of the curvature of a segment: 0.
 inline double max_curvature(const Segment&) { return 0; }
 
-/// Largest magnitude of the curvature of an arc [1/m]; 0 where it is one point.
+/// Largest magnitude of the curvature of an arc [1/m]; 0 if it is one point.
 inline double max_curvature(const Arc& arc) { return arc.length() > 0 ? 1 / arc.radius : 0; }
 
-/// Largest magnitude of the curvature of a clothoid [1/m]; 0 where it is one point.
+/// Largest magnitude of the curvature of a clothoid [1/m]; 0 if it is one point.
 inline double max_curvature(const Clothoid& clothoid) {
   return clothoid.arc_length > 0 ? clothoid.largest_curvature() : 0;
 }
 
-/// Largest magnitude of the curvature of a Bezier piece [1/m]; never NaN. Infinite where it comes
-/// to a standstill, be it a cusp or control points that coincide at an end. A piece that is
-/// straight has 0, even where it turns back: that is turning, as at a corner. Both "straight" and
-/// "standstill" mean: as far as the rounding of the control points lets tell.
+/// Largest magnitude of the curvature of a Bezier piece [1/m]; never NaN. Infinite if the velocity
+/// vanishes, at a cusp or at coincident end control points. 0 for a straight piece, even if it
+/// reverses: that is a turn, as at a corner. Both are decided up to rounding of the control points.
 template <std::size_t Degree>
 double max_curvature(const Bezier<Degree>& piece) {
   const double rounding = 8 * 0x1p-53 * piece.box().largest_coordinate();
   if (detail::is_straight(piece, rounding)) return 0;
   double result = 0;
   const auto include = [&](double t) {
-    const bool stands = piece.derivative(t).norm() <= Degree * rounding;
+    const bool velocity_vanishes = piece.derivative(t).norm() <= Degree * rounding;
     const double here =
-        stands ? std::numeric_limits<double>::infinity() : std::abs(curvature(piece, t));
+        velocity_vanishes ? std::numeric_limits<double>::infinity() : std::abs(curvature(piece, t));
     if (here > result) result = here;
   };
   include(0);

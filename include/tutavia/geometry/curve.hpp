@@ -17,7 +17,7 @@
 
 namespace tutavia {
 
-/// What a curve does at one place.
+/// The state of a curve at one arc length.
 struct CurvePoint {
   double s = 0;  ///< arc length from the start [m]
   Point position = Point::Zero();
@@ -32,13 +32,13 @@ inline double max_curvature(const Piece& piece) {
 
 namespace detail {
 
-/// Pieces of which the parameter is not proportional to arc length.
+/// Whether the parameter of a piece is not proportional to its arc length.
 template <class P>
 inline constexpr bool has_varying_speed = false;
 template <std::size_t Degree>
 inline constexpr bool has_varying_speed<Bezier<Degree>> = true;
 
-/// What a piece does at parameter t; its arc length is left at 0.
+/// The state of a piece at parameter t, with arc length 0.
 template <class P>
 CurvePoint state(const P& piece, double t) {
   Point direction = piece.derivative(t);
@@ -48,20 +48,20 @@ CurvePoint state(const P& piece, double t) {
   return {0, piece.point(t), heading(direction), curvature(piece, t)};
 }
 
-/// The parameter at which a piece of length `total` has the arc length s: Newton's method from
-/// `guess`, kept within a bracket.
+/// The parameter of arc length s on a piece of length `total`: Newton's method from `guess`, kept
+/// within a bracket.
 template <class P>
 double parameter_at(const P& piece, double s, double total, double guess) {
   if (!(total > 0)) return 0;
   if (s >= total) return 1;
   if constexpr (has_varying_speed<P>) {
-    const P seen = piece.relative_to(piece.start());
+    const P local = piece.relative_to(piece.start());
     double low = 0, high = 1, t = 0 < guess && guess < 1 ? guess : s / total;
     for (int i = 0; i < 60; ++i) {
-      const double error = seen.length_to(t) - s;
+      const double error = local.length_to(t) - s;
       if (std::abs(error) <= 1e-13 * total) break;
       (error > 0 ? high : low) = t;
-      const double next = t - error / seen.derivative(t).norm();
+      const double next = t - error / local.derivative(t).norm();
       t = low < next && next < high ? next : 0.5 * (low + high);
     }
     return t;
@@ -72,11 +72,11 @@ double parameter_at(const P& piece, double s, double total, double guess) {
 
 }  // namespace detail
 
-/// A chain of pieces, each starting exactly where the one before ends. Arc length runs from 0 to
-/// length(); places outside are clamped. At a joint the later piece counts.
+/// A chain of pieces; each starts exactly at the end of the previous one. Arc length runs from 0 to
+/// length(); values outside are clamped. Where two pieces meet, the later one counts.
 class Curve {
  public:
-  /// The place of a curve that is nearest to some point.
+  /// The point of a curve nearest to a given point.
   struct Nearest {
     double s = 0;  ///< arc length from the start [m]
     Point position = Point::Zero();
@@ -111,7 +111,7 @@ class Curve {
   const std::vector<Piece>& pieces() const { return pieces_; }
   bool empty() const { return pieces_.empty(); }
   double length() const { return ends_.empty() ? 0.0 : ends_.back(); }
-  /// Arc length at which piece i begins; that of the whole curve for i = number of pieces.
+  /// Arc length at the start of piece i; the length of the curve for i = number of pieces.
   double length_before(std::size_t i) const { return i == 0 ? 0.0 : ends_[i - 1]; }
 
   /// \pre not empty
@@ -132,13 +132,13 @@ class Curve {
   double heading(double s) const { return at(s).heading; }
   double curvature(double s) const { return at(s).curvature; }
 
-  /// The piece that holds arc length s, and the parameter there.
+  /// The index of the piece at arc length s, and its parameter there.
   std::pair<std::size_t, double> locate(double s) const {
     TUTAVIA_ASSERT(!empty());
     s = std::clamp(s, 0.0, length());
     auto i =
         static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), s) - ends_.begin());
-    if (i == pieces_.size()) {  // the end: of the last piece that has a length
+    if (i == pieces_.size()) {  // the end of the last piece with a positive length
       while (i > 1 && ends_[i - 2] == length()) --i;
       return {i - 1, 1.0};
     }
@@ -148,7 +148,7 @@ class Curve {
             })};
   }
 
-  /// The point of the curve nearest to `p`, at the least arc length where several are as near: in
+  /// The point of the curve nearest to `p`; the one with the least arc length in case of a tie. In
   /// closed form on segments and arcs, by branch and bound on other pieces (tolerance: see
   /// Bezier::nearest_parameter).
   /// \pre not empty
@@ -157,7 +157,7 @@ class Curve {
     Nearest best{0, start(), distance(p, start())};
     std::size_t nearest_piece = 0;
     double parameter = 0;
-    const auto look_at = [&](std::size_t i, const auto& piece) {
+    const auto consider = [&](std::size_t i, const auto& piece) {
       if constexpr (requires { piece.deviation(); }) {
         const Segment chord{piece.start(), piece.end()};
         if (distance(p, chord) - piece.deviation() > best.distance) return;
@@ -168,7 +168,7 @@ class Curve {
       if (gap < best.distance) best = {0, position, gap}, nearest_piece = i, parameter = t;
     };
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      pieces_[i].visit([&](const auto& piece) { look_at(i, piece); });
+      pieces_[i].visit([&](const auto& piece) { consider(i, piece); });
     }
     const double local =
         pieces_[nearest_piece].visit([&](const auto& piece) { return piece.length_to(parameter); });
@@ -176,9 +176,9 @@ class Curve {
     return best;
   }
 
-  /// The curves before and after arc length s; they meet in the same point, exactly. A side of no
-  /// length is one point, and a joint within 1e-12 of the length from s is where the curve is
-  /// split, so that no slivers come about.
+  /// The curves before and after arc length s; they meet exactly. A side without length is a single
+  /// point. If two pieces meet within 1e-12 of the length from s, the curve is split there, so that
+  /// no tiny pieces arise.
   /// \pre not empty
   std::pair<Curve, Curve> split(double s) const {
     auto [i, t] = locate(s);
@@ -197,7 +197,7 @@ class Curve {
     return {std::move(first), std::move(second)};
   }
 
-  /// The same points from the end to the start.
+  /// The curve from its end to its start.
   Curve reversed() const {
     Curve result;
     result.reserve(pieces_.size());
@@ -226,7 +226,7 @@ class Curve {
   std::vector<double> ends_;  // arc length at the end of each piece
 };
 
-/// The joints of a curve: its start and the end of every piece.
+/// The waypoints of a curve: its start and the end of every piece.
 inline std::vector<Point> waypoints(const Curve& curve) {
   std::vector<Point> points;
   if (curve.empty()) return points;

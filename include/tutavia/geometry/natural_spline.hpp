@@ -12,7 +12,7 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// NaturalSpline: cubic smoothing splines through points of the plane.
+/// NaturalSpline: cubic smoothing splines in the plane.
 
 namespace tutavia {
 
@@ -22,13 +22,13 @@ class SplineFit;
 
 /// A twice continuously differentiable curve of cubic spans, one between every two data points,
 /// with second derivatives of 0 at both ends. Its parameter is the chord length of the data, from 0
-/// to end(); where it comes to a data point is called that point's site.
+/// to end(); the parameter of a data point is called its site.
 ///
-/// Of all curves g from the first data point to the last one it minimises the sum of |y - g|^2 over
-/// the sites plus `penalty` times the integral of |g''|^2. Penalty 0 interpolates. With a growing
-/// penalty the residuals grow, until in the limit the curve is the chord. Fitting takes O(n) for n
-/// points. Beyond 10,000 points, where a bound is not much less than the chord's sum, rounding
-/// leaves the residuals smaller than they may be.
+/// Among all curves g from the first data point to the last, it minimises the sum of |y - g|^2 over
+/// the sites plus `penalty` times the integral of |g''|^2. Penalty 0 interpolates. As the penalty
+/// grows, so do the residuals, and the curve tends to the chord. Fitting takes O(n) for n points.
+/// Beyond 10,000 points, if the bound is close to the chord's sum, rounding may keep the residuals
+/// smaller than the bound allows.
 ///
 /// Source: Reinsch 1967, "Smoothing by Spline Functions"; both ends are pinned here.
 class NaturalSpline {
@@ -36,13 +36,13 @@ class NaturalSpline {
   /// The spline for a penalty [m^3]. \pre one point or more, no two successive ones equal
   static NaturalSpline penalised(std::span<const Point> data, double penalty);
 
-  /// The spline whose sum of squared residuals [m^2] is `bound` or up to 1 % less; the chord where
-  /// even its sum is within the bound. \pre as above
+  /// The spline whose sum of squared residuals [m^2] is `bound` or up to 1 % less; the chord if its
+  /// sum is within the bound. \pre as above
   static NaturalSpline within(std::span<const Point> data, double bound);
 
   double end() const { return sites_.back(); }
   double residual_sum() const { return residual_sum_; }
-  /// Whether it is the chord.
+  /// Whether the spline is the chord.
   bool is_straight() const { return std::all_of(bends_.begin(), bends_.end(), detail::is_zero); }
 
   /// Position at t in [0, end()].
@@ -74,7 +74,8 @@ class NaturalSpline {
   }
 
  private:
-  /// A place in a span: so far before its end and after its start, in parts of its width.
+  /// A parameter within a span: the distances to its end and from its start, as fractions of its
+  /// width.
   struct SpanParameter {
     std::size_t span;
     double width, before, after;
@@ -103,15 +104,15 @@ class NaturalSpline {
   std::vector<double> sites_;
   Point origin_;               // the first data point; the values are relative to it
   std::vector<Point> values_;  // at the sites
-  std::vector<Point> bends_;   // second derivatives there
+  std::vector<Point> bends_;   // second derivatives at the sites
   double residual_sum_;
 };
 
 namespace detail {
 
 /// The equations of a smoothing spline: (R + penalty Q^T D Q) bends = Q^T data, symmetric with five
-/// diagonals. Column i of Q takes the second difference at site i, R the product of the linear
-/// functions between the sites, and D is 0 at both ends and 1 elsewhere.
+/// diagonals. Column i of Q is the second difference at site i, R holds the inner products of the
+/// piecewise linear hat functions, and D is 0 at both ends and 1 elsewhere.
 class SplineFit {
  public:
   explicit SplineFit(std::span<const Point> data) : origin_(data.front()), sites_(data.size()) {
@@ -129,7 +130,7 @@ class SplineFit {
     return sites_.back() / static_cast<double>(std::max<std::size_t>(sites_.size() - 1, 1));
   }
 
-  /// Makes it the chord. Returns the sum of squared residuals, as does `solve`.
+  /// Sets the spline to the chord. Returns the sum of squared residuals, like `solve`.
   double straighten() {
     std::fill(bends_.begin(), bends_.end(), Point::Zero());
     for (std::size_t i = 1; i + 1 < data_.size(); ++i) {
@@ -159,7 +160,7 @@ class SplineFit {
 
   NaturalSpline spline() && {
     const double sum = residual_sum();
-    // Rounding leaves values and bends that differ from any spline's: take that of the values.
+    // Rounded values and second derivatives fit no spline exactly: interpolate the values.
     if (!std::all_of(bends_.begin(), bends_.end(), is_zero)) {
       data_ = values_;
       solve(0);
@@ -168,7 +169,7 @@ class SplineFit {
   }
 
  private:
-  /// What the factorisation L D L^T holds for one unknown: its entry of D, and those of L in its
+  /// The entries of the factorisation L D L^T for one unknown: that of D, and those of L in its
   /// column, one and two rows below.
   struct Row {
     double pivot = 1, first = 0, second = 0;
@@ -189,12 +190,12 @@ class SplineFit {
     for (std::size_t i = 1; i + 1 < n; ++i) {
       const double before = width(i - 1), after = width(i);
       const double sum = 1 / before + 1 / after;
-      double square = sum * sum;
-      if (i > 1) square += 1 / (before * before);
-      if (i + 2 < n) square += 1 / (after * after);
+      double squares = sum * sum;
+      if (i > 1) squares += 1 / (before * before);
+      if (i + 2 < n) squares += 1 / (after * after);
       Row& row = rows_[i];
-      row.pivot = (before + after) / 3 + penalty * square;
-      // The entries below the diagonal, where there are such rows.
+      row.pivot = (before + after) / 3 + penalty * squares;
+      // The entries below the diagonal, if those rows exist.
       const double next = i + 2 < n ? 1 / width(i + 1) : 0;
       double first = after / 6 - penalty * (sum + 1 / after + next) / after;
       if (i > 1) {

@@ -20,17 +20,17 @@ namespace detail {
 
 /// The kinds of pieces. Every kind has start(), end(), point(t), derivative(t),
 /// second_derivative(t), start_direction(), end_direction(), length(), length_to(t), box(),
-/// is_finite(), part(from, to), reversed(), nearest_parameter(p) and, where it is not straight or
-/// circular, deviation() and halves().
+/// is_finite(), part(from, to), reversed() and nearest_parameter(p); Bezier pieces and clothoids
+/// also have deviation() and halves().
 template <class P>
 concept PieceKind = std::same_as<P, Segment> || std::same_as<P, QuadraticBezier> ||
     std::same_as<P, CubicBezier> || std::same_as<P, Arc> || std::same_as<P, Clothoid>;
 
 }  // namespace detail
 
-/// One part of a curve: what std::variant<Segment, QuadraticBezier, CubicBezier, Arc, Clothoid>
-/// would be. That costs each file that includes the header some six hundred functions, because
-/// Eigen's vectors are not trivially copyable; here a switch does it.
+/// One part of a curve. It stands for std::variant<Segment, QuadraticBezier, CubicBezier, Arc,
+/// Clothoid>, which would instantiate some six hundred functions in every file that includes this
+/// header, because Eigen's vectors are not trivially copyable.
 class Piece {
  public:
   Piece() : Piece(Segment{}) {}
@@ -49,10 +49,10 @@ class Piece {
   }
   ~Piece() = default;
 
-  /// Which kind it is, in the order of the constructors.
+  /// The kind of the piece, numbered in the order of the constructors.
   std::size_t index() const { return index_; }
 
-  /// The piece as a P, or nullptr where it is of another kind.
+  /// The piece as a P, or nullptr if it is of another kind.
   template <detail::PieceKind P>
   const P* get_if() const {
     if constexpr (std::is_same_v<P, Segment>) return index_ == 0 ? &segment_ : nullptr;
@@ -66,7 +66,7 @@ class Piece {
     return get_if<P>() != nullptr;
   }
 
-  /// `f` of the piece as what it is.
+  /// Calls `f` with the piece in its own type.
   template <class F>
   decltype(auto) visit(F&& f) const {
     switch (index_) {
@@ -104,7 +104,7 @@ class Piece {
   }
 
   std::size_t index_;
-  union {  // all of them trivially destructible
+  union {  // all trivially destructible
     Segment segment_;
     QuadraticBezier quadratic_;
     CubicBezier cubic_;

@@ -12,7 +12,7 @@
 #include "tutavia/core/version.hpp"
 
 /// \file
-/// Point: the vector type of the whole library, and the few operations that Eigen does not name.
+/// Point: the vector type of the whole library, and operations that Eigen lacks.
 
 namespace tutavia {
 
@@ -24,8 +24,9 @@ inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y
 
 namespace detail {
 
-/// The point at fraction t on the way from a to b. Written out, like much in this layer: every kind
-/// of Eigen expression costs each file that includes the header some 30 ms of compilation.
+/// The point at fraction t from a to b. Coordinates are written out, as often in this module: each
+/// kind of Eigen expression adds some 30 ms to the compilation of every file that includes this
+/// header.
 inline Point lerp(const Point& a, const Point& b, double t) {
   return {a.x() + t * (b.x() - a.x()), a.y() + t * (b.y() - a.y())};
 }
@@ -51,7 +52,8 @@ namespace detail {
 /// `v` turned by +90 degrees.
 inline Point perpendicular(const Point& v) { return {-v.y(), v.x()}; }
 
-/// The angle of the vector (x, y) in (-pi, pi] [rad]; 0 for the null vector, whatever its signs.
+/// The angle of the vector (x, y) in (-pi, pi] [rad]; 0 for the zero vector, whatever the signs of
+/// its zeros.
 inline double angle(double y, double x) {
   if (y == 0) return x < 0 ? std::numbers::pi : 0.0;
   return std::atan2(y, x);
@@ -59,7 +61,7 @@ inline double angle(double y, double x) {
 
 }  // namespace detail
 
-/// Direction of a vector in (-pi, pi] [rad]; 0 for the null vector.
+/// Direction of a vector in (-pi, pi] [rad]; 0 for the zero vector.
 inline double heading(const Point& v) { return detail::angle(v.y(), v.x()); }
 
 /// The angle by which `from` turns into `to`, in (-pi, pi] [rad], left positive.

@@ -11,12 +11,12 @@
 #include "tutavia/geometry/predicates.hpp"
 
 /// \file
-/// Polygon with holes, and which points it contains.
+/// Polygon: a polygon with holes, and tests of points and simplicity.
 
 namespace tutavia {
 
-/// A closed chain of points; the first point may or may not be repeated at the end, and either
-/// orientation will do.
+/// A closed chain of points. The first point may be repeated at the end; both orientations are
+/// valid.
 using Ring = std::vector<Point>;
 
 /// A solid area with holes. Rings may touch or cross themselves: see `contains`.
@@ -34,7 +34,7 @@ inline Polygon polyline_obstacle(Ring points) {
 namespace detail {
 
 /// Calls `visit(a, b)` for every edge of the ring, the closing one included; an edge between equal
-/// points is left out. A ring of one distinct point has the single edge (p, p).
+/// points is skipped. A ring of one distinct point has the single edge (p, p).
 template <class Visit>
 void for_each_edge(const Ring& ring, Visit visit) {
   if (ring.empty()) return;
@@ -74,9 +74,9 @@ inline int winding_number(const Ring& ring, const Point& p) {
 
 }  // namespace detail
 
-/// Whether a point off the polygon's edges lies in its solid part. A ring that crosses itself is
-/// read so that an obstacle never shrinks: its outer ring encloses what the non-zero rule encloses
-/// (all that the even-odd rule does, and more), a hole only what the even-odd rule does.
+/// Whether a point that lies on no edge is in the solid part of the polygon. For rings that cross
+/// themselves, an obstacle never shrinks: the outer ring encloses by the non-zero rule (a superset
+/// of the even-odd rule), a hole by the even-odd rule.
 inline bool contains(const Polygon& polygon, const Point& p) {
   return detail::winding_number(polygon.outer, p) != 0 &&
          std::none_of(polygon.holes.begin(), polygon.holes.end(),
@@ -94,7 +94,7 @@ inline bool is_flat(const Ring& ring) {
   });
 }
 
-/// An edge of a polygon, by its number and that of the edge after it along the ring.
+/// An edge of a polygon, with its index and that of the next edge along the ring.
 struct RingEdge {
   Point a, b;
   std::size_t index;
@@ -103,7 +103,7 @@ struct RingEdge {
   double right() const { return std::max(a.x(), b.x()); }
 };
 
-/// Adds the edges of a ring; false where they are fewer than three.
+/// Adds the edges of a ring; false if they are fewer than three.
 inline bool add_edges(const Ring& ring, std::vector<RingEdge>& edges) {
   const std::size_t first = edges.size();
   for_each_edge(ring, [&](const Point& a, const Point& b) {
@@ -120,8 +120,8 @@ inline bool folds_back(const Point& a, const Point& b, const Point& c) {
                                        side(b.y(), a.y()) * side(b.y(), c.y()) > 0);
 }
 
-/// Whether two edges meet elsewhere than at a corner of their ring.
-inline bool edges_clash(const RingEdge& x, const RingEdge& y) {
+/// Whether two edges meet other than at a shared corner of their ring.
+inline bool edges_conflict(const RingEdge& x, const RingEdge& y) {
   if (x.next == y.index) return folds_back(x.a, x.b, y.b);
   if (y.next == x.index) return folds_back(y.a, y.b, x.b);
   return segments_intersect(x.a, x.b, y.a, y.b);
@@ -142,11 +142,11 @@ inline bool is_simple(const Polygon& polygon) {
   std::sort(edges.begin(), edges.end(), [](const RingEdge& x, const RingEdge& y) {
     return x.left() != y.left() ? x.left() < y.left() : x.index < y.index;
   });
-  std::vector<RingEdge> active;  // those that a vertical line crosses, moved from left to right
+  std::vector<RingEdge> active;  // edges that the vertical sweep line crosses
   for (const RingEdge& edge : edges) {
     std::erase_if(active, [&](const RingEdge& old) { return old.right() < edge.left(); });
     for (const RingEdge& old : active) {
-      if (detail::edges_clash(old, edge)) return false;
+      if (detail::edges_conflict(old, edge)) return false;
     }
     active.push_back(edge);
   }
@@ -155,8 +155,8 @@ inline bool is_simple(const Polygon& polygon) {
 
 namespace detail {
 
-/// Whether the point midway between u and v, computed exactly, lies in the solid part of the
-/// polygon and on none of its edges.
+/// Whether the exact midpoint of u and v lies in the solid part of the polygon and on none of its
+/// edges.
 inline bool contains_midpoint(const Polygon& polygon, const Point& u, const Point& v) {
   using Number = detail::ExactNumber;
   const Number x = Number(u.x()) + v.x(), y = Number(u.y()) + v.y();  // twice the point
@@ -180,24 +180,25 @@ inline bool contains_midpoint(const Polygon& polygon, const Point& u, const Poin
   return inside && !on_edge;
 }
 
-/// Whether the open inside of a simple polygon meets the segment p-q; touching is not meeting.
-/// Decided by exact arithmetic.
+/// Whether the segment p-q meets the open interior of a simple polygon. Decided by exact
+/// arithmetic.
 inline bool interior_meets(const Polygon& polygon, const Point& p, const Point& q) {
-  std::vector<Point> places{p, q};  // between two neighbours, the segment is in, out or on an edge
+  // Between two consecutive contacts, the segment lies inside, outside or on an edge.
+  std::vector<Point> contacts{p, q};
   bool crosses = false;
-  const auto look = [&](const Point& a, const Point& b) {
+  const auto test_edge = [&](const Point& a, const Point& b) {
     const int pa = orientation(p, q, a), pb = orientation(p, q, b);
     if (pa * pb < 0 && orientation(a, b, p) * orientation(a, b, q) < 0) crosses = true;
-    if (pa == 0 && Box::around({p, q}).contains(a)) places.push_back(a);
+    if (pa == 0 && Box::around({p, q}).contains(a)) contacts.push_back(a);
   };
-  for_each_edge(polygon.outer, look);
-  for (const Ring& hole : polygon.holes) for_each_edge(hole, look);
+  for_each_edge(polygon.outer, test_edge);
+  for (const Ring& hole : polygon.holes) for_each_edge(hole, test_edge);
   if (crosses) return true;
-  std::sort(places.begin(), places.end(), [](const Point& a, const Point& b) {
+  std::sort(contacts.begin(), contacts.end(), [](const Point& a, const Point& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   });
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    if (contains_midpoint(polygon, places[i - 1], places[i])) return true;
+  for (std::size_t i = 1; i < contacts.size(); ++i) {
+    if (contains_midpoint(polygon, contacts[i - 1], contacts[i])) return true;
   }
   return false;
 }

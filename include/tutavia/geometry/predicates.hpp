@@ -8,8 +8,7 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// Geometric predicates that are right for every input: a floating-point filter first, exact
-/// arithmetic where it cannot decide.
+/// Exact geometric predicates: a floating-point filter first, exact arithmetic if it cannot decide.
 ///
 /// Coordinates must be finite and either 0 or within [2^-400, 2^400] in magnitude, so that products
 /// neither overflow nor vanish.
@@ -20,8 +19,8 @@ namespace detail {
 int exact_orientation(const Point& a, const Point& b, const Point& c);
 }
 
-/// Sign of the area of the triangle a, b, c: 1 when c lies left of the line from a to b, -1 when it
-/// lies right, 0 when the three are collinear. Always exact.
+/// Sign of the area of the triangle a, b, c: 1 if c lies left of the line from a to b, -1 if it
+/// lies right, 0 if the three are collinear. Always exact.
 /// Source: Shewchuk 1997, "Adaptive precision floating-point arithmetic", section 4 (the filter).
 inline int orientation(const Point& a, const Point& b, const Point& c) {
   const double left = (a.x() - c.x()) * (b.y() - c.y());
@@ -31,12 +30,12 @@ inline int orientation(const Point& a, const Point& b, const Point& c) {
   const double bound = (3 + 16 * u) * u * (std::abs(left) + std::abs(right));
   if (determinant > bound) return 1;
   if (determinant < -bound) return -1;
-  if (left == 0 && right == 0) return 0;  // both factors are exact zeros: nothing underflows
+  if (left == 0 && right == 0) return 0;  // exact: nothing underflows
   return detail::exact_orientation(a, b, c);
 }
 
-/// Whether the closed segments a-b and c-d have a point in common. Always exact; either may be one
-/// point.
+/// Whether the closed segments a-b and c-d have a point in common. Always exact; each may be a
+/// single point.
 inline bool segments_intersect(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (std::max(a.x(), b.x()) < std::min(c.x(), d.x()) ||
       std::max(c.x(), d.x()) < std::min(a.x(), b.x()) ||
@@ -44,7 +43,7 @@ inline bool segments_intersect(const Point& a, const Point& b, const Point& c, c
       std::max(c.y(), d.y()) < std::min(a.y(), b.y())) {
     return false;
   }
-  // The boxes meet, so collinear segments meet as well: straddling both ways is enough.
+  // The boxes meet, so collinear segments meet as well, and straddling each other is sufficient.
   return orientation(a, b, c) * orientation(a, b, d) <= 0 &&
          orientation(c, d, a) * orientation(c, d, b) <= 0;
 }
@@ -61,11 +60,11 @@ inline int compare_distance(const Point& p, const Point& a, const Point& b, doub
   };
   const Number ux = Number(b.x()) - a.x(), uy = Number(b.y()) - a.y();
   const Number vx = Number(p.x()) - a.x(), vy = Number(p.y()) - a.y();
-  const Number along = ux * vx + uy * vy, square = ux * ux + uy * uy;
+  const Number along = ux * vx + uy * vy, squared_length = ux * ux + uy * uy;
   if (along.sign() <= 0) return compare_points(a);
-  if ((along - square).sign() >= 0) return compare_points(b);
+  if ((along - squared_length).sign() >= 0) return compare_points(b);
   const Number area = ux * vy - uy * vx;
-  return (area * area - limit * limit * square).sign();
+  return (area * area - limit * limit * squared_length).sign();
 }
 
 namespace detail {

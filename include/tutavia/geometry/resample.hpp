@@ -9,17 +9,17 @@
 #include "tutavia/geometry/curve.hpp"
 
 /// \file
-/// resample: the states of a curve at fixed steps of arc length.
+/// resample: the states of a curve at a fixed step of arc length.
 
 namespace tutavia {
 
 namespace detail {
 
-/// A place on a piece that moves ahead. Only the way from the last place is measured, which is
-/// short and so takes little quadrature.
+/// A position on a piece that moves forward. Only the arc length since the last position is
+/// measured, which keeps quadrature cheap.
 struct PieceWalk {
   double t = 0;  ///< parameter
-  double s = 0;  ///< arc length there, as measured [m]
+  double s = 0;  ///< measured arc length at t [m]
 
   /// The state of a piece of length `total` at the arc length `to`. \pre to >= s
   template <class P>
@@ -40,9 +40,8 @@ struct PieceWalk {
 }  // namespace detail
 
 /// The states of a curve at the arc lengths 0, ds, 2 ds, ... and at its end [m]; the last step is
-/// what is left of the length (a rest below 1e-9 ds is part of the step before). A single state
-/// where the curve is one point. Linear in pieces and samples; `Curve::sample` makes all steps
-/// equal instead.
+/// the remainder (one below 1e-9 ds is merged with the previous step). A single state if the curve
+/// is one point. Linear in pieces and samples; `Curve::sample` uses equal steps instead.
 /// \pre the curve is finite and not empty, ds > 0
 inline std::vector<CurvePoint> resample(const Curve& curve, double ds) {
   TUTAVIA_ASSERT(!curve.empty() && ds > 0);
@@ -55,7 +54,7 @@ inline std::vector<CurvePoint> resample(const Curve& curve, double ds) {
   detail::PieceWalk walk;
   for (std::size_t k = 0; k < count; ++k) {
     const double s = static_cast<double>(k) * ds;
-    if (s >= length) break;  // where ds is within rounding of nothing
+    if (s >= length) break;  // only if ds is within rounding of 0
     while (curve.length_before(piece + 1) <= s) ++piece, walk = {};
     const double before = curve.length_before(piece);
     const double total = curve.length_before(piece + 1) - before;

@@ -8,11 +8,11 @@
 #include "tutavia/geometry/predicates.hpp"
 
 /// \file
-/// Segment: a straight piece, and distances to it.
+/// Segment: a straight segment, and distances to it.
 
 namespace tutavia {
 
-/// The straight piece from `a` to `b`, which may be one point; parameter t in [0, 1].
+/// The segment from `a` to `b`, which may be one point; parameter t in [0, 1].
 struct Segment {
   Point a = Point::Zero();
   Point b = Point::Zero();
@@ -41,9 +41,9 @@ struct Segment {
   /// Parameter of the point nearest to `p`.
   double nearest_parameter(const Point& p) const {
     const Point d = b - a;
-    const double square = d.squaredNorm();
+    const double squared_length = d.squaredNorm();
     const Point v = p - a;
-    return square > 0 ? std::clamp(v.dot(d) / square, 0.0, 1.0) : 0.0;
+    return squared_length > 0 ? std::clamp(v.dot(d) / squared_length, 0.0, 1.0) : 0.0;
   }
 };
 
@@ -51,35 +51,35 @@ struct Segment {
 /// up to M (u = 2^-53): 3 u from the cross product times the longest difference, 2 sqrt(2) M.
 inline double distance(const Point& p, const Segment& s) {
   const Point d = s.b - s.a, v = p - s.a;
-  const double square = d.squaredNorm(), t = v.dot(d);
+  const double squared_length = d.squaredNorm(), t = v.dot(d);
   if (!(t > 0)) return v.norm();
-  if (t >= square) return distance(p, s.b);
-  return std::abs(cross(d, v)) / std::sqrt(square);
+  if (t >= squared_length) return distance(p, s.b);
+  return std::abs(cross(d, v)) / std::sqrt(squared_length);
 }
 
 namespace detail {
 
-/// Where two segments come closest.
+/// The closest approach of a piece and another segment.
 struct ClosestApproach {
   double distance = 0;   ///< [m]
-  double parameter = 0;  ///< on the first segment
+  double parameter = 0;  ///< of the nearest point of the piece
 };
 
-/// The shortest distance between two segments and a place on `s` where it is attained: 0 when they
+/// The shortest distance between two segments and a parameter of `s` that attains it: 0 if they
 /// meet (decided by exact predicates), else with the error of `distance`.
 inline ClosestApproach closest_approach(const Segment& s, const Segment& other) {
   if (segments_intersect(s.a, s.b, other.a, other.b)) {
     const Point d = s.b - s.a, e = other.b - other.a, gap_a = other.a - s.a;
     const double at_a = s.nearest_parameter(other.a), at_b = s.nearest_parameter(other.b);
     const double denominator = cross(d, e);
-    double place = at_a, least = distance(s.point(at_a), other);
-    // Nearly collinear segments meet at an end of one of them rather than at a computed crossing.
+    double parameter = at_a, least = distance(s.point(at_a), other);
+    // For nearly collinear segments an end may be closer than the computed crossing.
     for (const double t : {cross(gap_a, e) / denominator, at_b, 0.0, 1.0}) {
       if (!(t >= 0 && t <= 1)) continue;
       const double gap = distance(s.point(t), other);
-      if (gap < least) place = t, least = gap;
+      if (gap < least) parameter = t, least = gap;
     }
-    return {0, place};
+    return {0, parameter};
   }
   ClosestApproach best{distance(s.a, other), 0};
   if (const double d = distance(s.b, other); d < best.distance) best = {d, 1};
@@ -93,13 +93,13 @@ inline ClosestApproach closest_approach(const Segment& s, const Segment& other) 
 }
 
 /// Whether `s` keeps a distance of at least `radius` + `margin` from `core`: decided by the
-/// computed distance where that is clear by more than `slack`, else exactly. \pre `radius` and
+/// computed distance if it differs by more than `error_bound`, else exactly. \pre `radius` and
 /// `margin` are not negative
 inline bool keeps_distance(const Segment& s, const Segment& core, double radius, double margin,
-                           double slack) {
+                           double error_bound) {
   const double gap = closest_approach(s, core).distance - radius - margin;
-  if (gap > slack) return true;
-  if (gap < -slack) return false;
+  if (gap > error_bound) return true;
+  if (gap < -error_bound) return false;
   const auto keeps = [&](const Point& p, const Segment& q) {
     return compare_distance(p, q.a, q.b, radius, margin) >= 0;
   };

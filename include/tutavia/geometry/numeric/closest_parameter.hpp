@@ -9,16 +9,15 @@
 #include "tutavia/geometry/segment.hpp"
 
 /// \file
-/// The place of a curved piece that is nearest to a point.
+/// ClosestParameter: the point of a curved piece nearest to the origin.
 
 namespace tutavia::detail {
 
-/// Branch and bound for the place of a piece P that is nearest to the origin. A part with the chord
-/// S and the deviation dev from it is no nearer than the distance to S less dev, and halving
-/// divides dev by four. Every place that is within `tolerance` of the nearest counts as nearest.
-/// Where the piece is nearly a circle around the origin, so that halving rules out nothing, it ends
-/// after some thousand parts: what is found is then farther than the nearest by at most the
-/// deviation of a 1024th of the piece.
+/// Branch and bound for the parameter of a piece P nearest to the origin. The distance of a part is
+/// at least that of its chord less its deviation, and halving divides the deviation by four.
+/// Parameters within `tolerance` of the minimum distance are ties. If the piece is nearly a circle
+/// around the origin, halving excludes nothing, and the search ends after some thousand parts; its
+/// result then exceeds the minimum by at most the deviation of a 1024th of the piece.
 template <class P>
 class ClosestParameter {
  public:
@@ -58,8 +57,8 @@ class ClosestParameter {
     if (t < parameter_ || distance_ > least_ + tolerance_) parameter_ = t, distance_ = distance;
   }
 
-  /// Newton's method for B . B' = 0: the distance is flat around its minimum, so that the tolerance
-  /// alone leaves the parameter known to half the digits only.
+  /// Newton's method for B . B' = 0: the distance is flat around its minimum, so the tolerance
+  /// alone would determine only half the digits of the parameter.
   void polish(const P& piece) {
     for (int i = 0; i < 8; ++i) {
       const double t = parameter_;

@@ -13,13 +13,12 @@
 #include "tutavia/core/assert.hpp"
 
 /// \file
-/// ExactNumber: sums and products of doubles without rounding, for the ties that doubles cannot
-/// decide.
+/// ExactNumber: sums and products of doubles without rounding, for exact predicates.
 
 namespace tutavia::detail {
 
-/// Digits to the base 2^32, least significant first; allocates only beyond 32 of them, which
-/// coordinates of like magnitude do not need.
+/// Digits to the base 2^32, least significant first. Allocates only for more than 32 digits, which
+/// coordinates of similar magnitude do not need.
 class Limbs {
  public:
   Limbs() = default;
@@ -65,9 +64,9 @@ class Limbs {
 /// A number m 2^e with integers m and e of any size; every finite double is one, and sums,
 /// differences and products of such numbers are computed exactly.
 ///
-/// It works on integers alone, so contraction to fused multiply-add, extended precision or the
-/// rounding mode of the user's build cannot touch it. It is meant for the rare case behind a
-/// floating-point filter: an operation takes some 100 ns.
+/// It uses integers only, so fused multiply-add, extended precision and rounding modes do not
+/// affect it. It is meant for the rare cases that a floating-point filter leaves open: an operation
+/// takes some 100 ns.
 class ExactNumber {
  public:
   /// \pre `value` is finite
@@ -135,7 +134,7 @@ class ExactNumber {
  private:
   ExactNumber() = default;
 
-  /// The limbs of |n| as a multiple of 2^exponent, for an exponent not above its own.
+  /// The limbs of |n| / 2^exponent. \pre `exponent` is at most the exponent of n
   static Limbs shifted(const ExactNumber& n, int exponent) {
     const auto shift = static_cast<std::size_t>(n.exponent_ - exponent);
     const std::size_t whole = shift / 32;

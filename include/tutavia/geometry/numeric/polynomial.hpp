@@ -55,9 +55,9 @@ Polynomial<N + M - 1> multiply(const Polynomial<N>& f, const Polynomial<M>& g) {
   return result;
 }
 
-/// The root between low and high, where the values' signs differ: Newton's method, and bisection
-/// where it leaves the bracket or gets slow (Press et al., Numerical Recipes, section 9.4). To the
-/// last digits that rounding leaves.
+/// The root between low and high, at which f has opposite signs: Newton's method, with bisection if
+/// it leaves the bracket or becomes slow (Press et al., Numerical Recipes, section 9.4). Accurate
+/// up to rounding of f.
 template <std::size_t N>
 double bracketed_root(const Polynomial<N>& f, double low, double high) {
   const Polynomial<N - 1> slope = derivative(f);
@@ -79,12 +79,12 @@ double bracketed_root(const Polynomial<N>& f, double low, double high) {
   return t;
 }
 
-/// The real roots of a polynomial in [0, 1], in ascending order. They are sought between the roots
-/// of its derivative, where it is monotone.
+/// The real roots of a polynomial in [0, 1], in ascending order. Each is bracketed between roots of
+/// its derivative, where the polynomial is monotone.
 ///
-/// Every root at which the sign changes is found. One at which it does not is reported where the
-/// polynomial comes as close to 0 as rounding can tell; several roots that rounding cannot tell
-/// apart count once. The zero polynomial, and one with coefficients that are not finite, has none.
+/// Every root with a change of sign is found. A root without one is found if the value is 0 up to
+/// rounding. Roots that rounding cannot separate count once. The zero polynomial, and one with
+/// coefficients that are not finite, has none.
 template <std::size_t N>
 Roots<N - 1> roots_in_unit_interval(const Polynomial<N>& f) {
   Roots<N - 1> roots;
@@ -93,13 +93,13 @@ Roots<N - 1> roots_in_unit_interval(const Polynomial<N>& f) {
     for (std::size_t i = 0; i < N; ++i) magnitudes[i] = std::abs(f[i]);
     const double sum = evaluate(magnitudes, 1);
     if (!(sum > 0) || !std::isfinite(sum)) return roots;
-    const auto value = [&](double t) {  // 0 where it is no more than rounding
+    const auto value = [&](double t) {  // 0 if within rounding
       const double v = evaluate(f, t);
       return std::abs(v) <= 2 * N * 0x1p-53 * evaluate(magnitudes, t) ? 0 : v;
     };
     double low = 0, at_low = value(0);
     if (at_low == 0) roots.push_back(0);
-    const auto go_on_to = [&](double high) {
+    const auto advance_to = [&](double high) {
       const double at_high = value(high);
       if (at_low != 0 && at_high == 0) roots.push_back(high);
       if ((at_low < 0 && at_high > 0) || (at_low > 0 && at_high < 0)) {
@@ -107,8 +107,8 @@ Roots<N - 1> roots_in_unit_interval(const Polynomial<N>& f) {
       }
       low = high, at_low = at_high;
     };
-    for (const double t : roots_in_unit_interval(derivative(f))) go_on_to(t);
-    go_on_to(1);
+    for (const double t : roots_in_unit_interval(derivative(f))) advance_to(t);
+    advance_to(1);
   }
   return roots;
 }

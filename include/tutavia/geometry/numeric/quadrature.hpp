@@ -31,8 +31,8 @@ double gauss_legendre(const F& f, double a, double b) {
 }
 
 /// Integral of `f` over [a, b]: halves the interval until two halves agree with the whole to
-/// `tolerance` (absolute), 20 times at most. The function has to be smooth on the scale of the
-/// interval: a kink between two nodes can go unnoticed.
+/// `tolerance` (absolute), at most 20 times. The function must be smooth on the scale of the
+/// interval: a kink between two nodes may go unnoticed.
 template <class F>
 double integrate(const F& f, double a, double b, double tolerance, int halvings = 20) {
   const double middle = 0.5 * (a + b);

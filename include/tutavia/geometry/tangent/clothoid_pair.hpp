@@ -10,7 +10,7 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// Corners rounded by two spirals: the curvature grows from 0 to a peak and falls to 0 again.
+/// ClothoidPair: corners rounded by two spirals, with curvature from 0 to a peak and back to 0.
 
 namespace tutavia::detail {
 
@@ -20,8 +20,8 @@ namespace tutavia::detail {
 /// Source: Meek and Walton 1992, "Clothoid spline transition spirals".
 struct UnitClothoid {
   double turn = 0;               ///< [rad]
-  Point end = Point::Zero();     ///< as seen from its start, along the line and across it
-  Point centre = Point::Zero();  ///< of its last circle, seen in the same way, but 1 less across
+  Point end = Point::Zero();     ///< relative to its start: along the line and across it
+  Point centre = Point::Zero();  ///< of its last circle, in the same axes, less 1 across
 
   /// \pre 0 <= turn < pi
   static UnitClothoid turning(double turn) {
@@ -34,25 +34,24 @@ struct UnitClothoid {
   }
 };
 
-/// Two spirals that are mirror images and together take the place of a corner, in units of the
-/// radius where they meet.
+/// Two mirror-image spirals that together replace a corner, in units of the radius where they meet.
 struct ClothoidPair {
-  double leg = 0;   ///< from the corner to where they begin and end on its legs
-  double drop = 0;  ///< from the corner to where they meet
+  double leg = 0;   ///< from the corner to their ends on its legs
+  double drop = 0;  ///< from the corner to the point where they meet
 
-  /// Of clothoids. \pre 0 < turn < pi: of the whole corner [rad]
+  /// For clothoids and a corner that turns by `turn` [rad]. \pre 0 < turn < pi
   static ClothoidPair of_clothoids(double turn) {
     const Point end = UnitClothoid::turning(turn / 2).end;
     return {end.x() + end.y() * std::tan(turn / 2), end.y() / std::cos(turn / 2)};
   }
-  /// Of cubic Bezier pieces. \pre 0 < turn < pi: of the whole corner [rad]
+  /// For cubic Bezier pieces and a corner that turns by `turn` [rad]. \pre 0 < turn < pi
   static ClothoidPair of_beziers(double turn);
 };
 
-/// The two cubic Bezier spirals that round a corner, for users who know nothing else: from
-/// corner - leg * in to corner + leg * out, for unit vectors `in` and `out`. Position, direction
-/// and curvature are continuous where they meet and where they join the legs; the curvature is 0
-/// there, largest where they meet, and monotone in between.
+/// The two cubic Bezier spirals that round a corner, for consumers that support Bezier curves only:
+/// from corner - leg * in to corner + leg * out, for unit vectors `in` and `out`. Position,
+/// direction and curvature are continuous. The curvature is 0 on the legs, largest where the two
+/// meet, and monotone in between.
 ///
 /// Source: Yang and Sukkarieh 2010, "An analytical continuous-curvature path-smoothing algorithm",
 /// section III, with c1 = (c2 + 4) (c2 + 1) = 7.2353 for its 7.2364, so that the two meet in the

@@ -10,23 +10,23 @@
 #include "tutavia/geometry/predicates.hpp"
 
 /// \file
-/// The shortest path through portals.
+/// funnel_path: the shortest path through a sequence of portals.
 
 namespace tutavia::detail {
 
-/// Two chains that part at an apex, the last certain point of a shortest path.
+/// Two chains that part at an apex, the last known vertex of the shortest path.
 class Funnel {
  public:
   explicit Funnel(const Point& start) : path_{start}, chains_{start} {}
 
-  /// A new right end takes off what the right chain would have to bend outwards for.
+  /// Adds a right end. Points that the right chain would have to bend outwards for are removed.
   void add_right(const Point& p) {
     while (chains_.size() > 1) {
       const std::size_t last = chains_.size() - 1;
-      if (last > apex_) {  // on the right chain: it stays convex
+      if (last > apex_) {  // the right chain stays convex
         if (orientation(chains_[last - 1], chains_[last], p) < 0) break;
         chains_.pop_back();
-      } else {  // the apex is the right end: it moves along the left chain
+      } else {  // the right chain is the apex alone, which moves along the left chain
         if (orientation(chains_[apex_], chains_[apex_ - 1], p) <= 0) break;
         chains_.pop_back();
         --apex_;
@@ -59,13 +59,13 @@ class Funnel {
 
  private:
   std::vector<Point> path_;   // to the apex
-  std::deque<Point> chains_;  // from the end of the left chain by the apex to the right end
-  std::size_t apex_ = 0;      // in the chains
+  std::deque<Point> chains_;  // from the left end via the apex to the right end
+  std::size_t apex_ = 0;      // index of the apex in chains_
 };
 
-/// The shortest path through portals in turn, each given by its right end and its left end as seen
-/// by who crosses it: a funnel of two chains that part at an apex. Its points, which repeat where
-/// portals share an end. Exact: bends are decided by exact orientations. Linear in the portals.
+/// The shortest path through a sequence of portals. Each portal is (right, left) as seen when
+/// crossing it. Returns the path's vertices; a vertex shared by several portals appears once per
+/// portal. Exact: bends are decided by exact orientations. Linear in the number of portals.
 /// Source: Lee and Preparata 1984, "Euclidean shortest paths in the presence of rectilinear
 /// barriers".
 inline std::vector<Point> funnel_path(const std::vector<std::pair<Point, Point>>& portals,

@@ -8,28 +8,29 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// OrientedBox: a rectangle along any direction.
+/// OrientedBox: a rectangle of any orientation.
 
 namespace tutavia::detail {
 
-/// The rectangle around some points, along the line from the first of them to `end`.
+/// The bounding rectangle of points, aligned with the line from the first of them to `end`.
 class OrientedBox {
  public:
   /// \pre not empty
   OrientedBox(const std::vector<Point>& points, const Point& end) : origin_(points.front()) {
-    const Point way{end.x() - origin_.x(), end.y() - origin_.y()};
-    const double length = way.norm();
-    if (length > 0) along_ = {way.x() / length, way.y() / length};
-    for (const Point& p : points) box_.include(seen(p));
+    const Point direction{end.x() - origin_.x(), end.y() - origin_.y()};
+    const double length = direction.norm();
+    if (length > 0) along_ = {direction.x() / length, direction.y() / length};
+    for (const Point& p : points) box_.include(local(p));
   }
 
-  /// Whether a point lies more than `margin` outside. Most points in the box of a slanted band do.
+  /// Whether a point lies more than `margin` outside the rectangle. Most points in the axis-aligned
+  /// box of a slanted rectangle do.
   bool is_far(const Point& p, double margin) const {
-    return !box_.inflated(margin).contains(seen(p));
+    return !box_.inflated(margin).contains(local(p));
   }
 
-  /// Calls `visit(box)` for boxes that together hold the band: one, or several along it where that
-  /// is much less of the plane, `margin` around each counted in.
+  /// Calls `visit(box)` for axis-aligned boxes that together contain the rectangle: one, or several
+  /// along it if their total area, with `margin` around each, is much smaller.
   template <class Visit>
   void for_each_box(double margin, Visit visit) const {
     const double wide = box_.height() + 2 * margin;
@@ -45,7 +46,7 @@ class OrientedBox {
   }
 
  private:
-  Point seen(const Point& p) const {
+  Point local(const Point& p) const {
     const Point v{p.x() - origin_.x(), p.y() - origin_.y()};
     return {v.dot(along_), cross(along_, v)};
   }
@@ -55,7 +56,7 @@ class OrientedBox {
 
   Point origin_;
   Point along_{1, 0};
-  Box box_;  // as seen from the origin along the band
+  Box box_;  // in local coordinates, x along the rectangle
 };
 
 }  // namespace tutavia::detail

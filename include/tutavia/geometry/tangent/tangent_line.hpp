@@ -10,32 +10,32 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// Bitangents and arcs of circles that a path passes on a given side.
+/// Bitangents and arcs of oriented circles.
 
 namespace tutavia::detail {
 
-/// A circle and the side that it has of a path around it: 1 to the left (the path turns left around
-/// it), -1 to the right. With radius 0 it is a point, which a path runs through whatever the side.
+/// A circle and its side of a path around it: 1 to the left (the path turns left around it), -1 to
+/// the right. With radius 0 it is a point on the path, on either side.
 struct OrientedCircle {
   Point center = Point::Zero();
   double radius = 0;  ///< [m]
   int side = 1;
 
-  /// The place where a path in the direction of the unit vector `d` touches the circle.
+  /// The point where a path in the direction of the unit vector `d` touches the circle.
   Point touch(const Point& d) const {
     return offset_along(center, -side * radius, perpendicular(d));
   }
 };
 
-/// A straight way from one circle to another.
+/// A tangent segment from one circle to another.
 struct TangentLine {
-  Point from = Point::Zero(), to = Point::Zero();  ///< where it touches them
+  Point from = Point::Zero(), to = Point::Zero();  ///< the points of contact
   Point direction = Point::Zero();                 ///< unit vector
   double length = 0;                               ///< [m]
 };
 
-/// The way that leaves `a` and meets `b`, both on their sides; none where one circle lies too far
-/// within the other, or both are the same point.
+/// The tangent from `a` to `b` that keeps both circles on their sides. None if one circle lies too
+/// far inside the other, or both are the same point.
 ///
 /// With D from centre to centre and k the difference of the signed radii, D = length d + k n for
 /// the direction d and its left normal n.
@@ -54,10 +54,10 @@ inline std::optional<TangentLine> tangent_line(const OrientedCircle& a, const Or
   return result;
 }
 
-/// Calls `visit(arc)` for the arcs, of about half a circle at most, by which a path that turns by
-/// `turn` (left positive, to the nearest full turn [rad]) goes around a circle from `in` to `out`.
-/// None where these lie within `tolerance` of each other and the path does not go all the way
-/// round, and at radius 0.
+/// Calls `visit(arc)` for the arcs, of about half a circle at most, of a path around a circle from
+/// `in` to `out`. `turn` (left positive [rad]) selects the number of full turns. No arcs at radius
+/// 0, or if `in` and `out` lie within `tolerance` of each other and the path does not go all
+/// around.
 template <class Visit>
 void for_each_arc(const OrientedCircle& circle, const Point& in, const Point& out, double turn,
                   double tolerance, Visit visit) {
