@@ -18,17 +18,17 @@
 #include "tutavia/smooth/concepts.hpp"
 
 /// \file
-/// AnySearch and AnySmoother: one type for every search and one for every smoother.
+/// AnySearch and AnySmoother: type-erased searches and smoothers.
 
 namespace tutavia {
 
 namespace detail {
 
-/// Scratch memory of whichever search it was last handed to. Not to be copied, as that of some
-/// searches is not.
+/// Scratch memory of the search that used it last. Not copyable, like the scratch memory of some
+/// searches.
 class AnyScratch {
  public:
-  /// The scratch memory of one kind, made anew where it is another's.
+  /// The scratch memory as a Scratch; new if it was of another type.
   template <class Scratch>
   Scratch& get() {
     if (memory_ == nullptr || *kind_ != typeid(Scratch)) {
@@ -45,7 +45,7 @@ class AnyScratch {
 
 }  // namespace detail
 
-/// Any searcher on spaces of type S.
+/// A type-erased searcher on spaces of type S. \pre `run` is set
 template <class S>
 struct AnySearch {
   using Scratch = detail::AnyScratch;
@@ -63,7 +63,7 @@ struct AnySearch {
   }
 };
 
-/// Any smoother on spaces of type S.
+/// A type-erased smoother on spaces of type S. \pre `run` is set
 template <class S>
 struct AnySmoother {
   std::string name{};
@@ -76,7 +76,7 @@ struct AnySmoother {
 
 namespace detail {
 
-/// An observer that may be there or not; one for both, so that every search is compiled once.
+/// An optional SearchRecord as one observer type, so that every search is compiled only once.
 struct OptionalRecord {
   SearchRecord* record;
   void expanded(const Point& p) const {
@@ -92,6 +92,7 @@ struct OptionalRecord {
 
 }  // namespace detail
 
+/// Wraps a searcher. A search that grows a tree also reports the tree's edges to the record.
 template <class S, Searcher<S> A>
 AnySearch<S> erase_search(const A& algorithm) {
   return {A::name, [algorithm](const S& space, const Query& query, detail::AnyScratch& any,
@@ -100,7 +101,7 @@ AnySearch<S> erase_search(const A& algorithm) {
             detail::OptionalRecord observer{record};
             const auto add = [&](const Point& a, const Point& b) { record->edge(a, b); };
             constexpr bool grows_tree = requires { scratch.for_each_edge(add); };
-            // A query that fails early must not report the tree of the query before.
+            // A query that fails early must not report the tree of the previous query.
             if constexpr (grows_tree) scratch.clear();
             auto route = algorithm.search(space, query, scratch, observer);
             if constexpr (grows_tree) {
@@ -110,6 +111,7 @@ AnySearch<S> erase_search(const A& algorithm) {
           }};
 }
 
+/// Wraps a smoother.
 template <class S, Smoother<S> A>
 AnySmoother<S> erase_smoother(const A& algorithm) {
   return {std::string(A::name),

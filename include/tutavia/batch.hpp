@@ -10,7 +10,7 @@
 #include "tutavia/planner.hpp"
 
 /// \file
-/// plan_batch: many queries on one space, on all cores.
+/// plan_batch: many queries on one space, in parallel.
 
 namespace tutavia {
 

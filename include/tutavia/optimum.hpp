@@ -7,21 +7,23 @@
 #include "tutavia/search/tangent_graph.hpp"
 
 /// \file
-/// find_optimum: how long the shortest path is.
+/// find_optimum: the length of the shortest path.
 
 namespace tutavia {
 
-/// The length of the shortest path of the disc [m], exact: see TangentGraph. Give the length of a
-/// known path as `bound`: the search then looks at nothing that is longer. It takes milliseconds
-/// for hundreds of obstacle vertices and keeps within the query's budget.
+/// The exact length of the shortest path of the disc robot [m]; see TangentGraph. If `bound` is the
+/// length of a known path, the search skips all longer ones. It takes milliseconds for hundreds of
+/// obstacle vertices and respects the query's budget.
 ///
-/// Errors: those of TangentGraph; `unreachable` where the shortest path is longer than `bound`.
+/// Errors: those of TangentGraph; `unreachable` if the shortest path is longer than `bound`.
+///
+/// Example: examples/searches_among_polygons.cpp.
 template <FeatureSpace S>
 Expected<double, Failure> find_optimum(const S& space, const Query& query,
                                        double bound = std::numeric_limits<double>::infinity()) {
   TangentGraph::Scratch scratch;
   NoObserver no_observer;
-  // A path of the bound's own length is to be found whatever its rounding.
+  // Despite rounding, a path of length `bound` must be found.
   const TangentGraph search{.bound = bound * (1 + 1e-9)};
   auto route = search.search(space, query, scratch, no_observer);
   if (!route) return Unexpected{std::move(route.error())};

@@ -12,36 +12,37 @@
 #include "tutavia/smooth/no_smoothing.hpp"
 
 /// \file
-/// Planner: a search, a smoother and the proof, in one call.
+/// Planner: search, smoothing and proof in one call.
 
 namespace tutavia {
 
-/// A path that is proved safe, and all that is known about it.
+/// A path that is proved safe, with its certificate, metrics and statistics.
 struct Plan {
   Curve curve{};              ///< from start to goal, both exact
   Certificate certificate{};  ///< always `proved`
   PathMetrics metrics{};
-  Route route{};           ///< what the search found, before smoothing
-  bool fell_back = false;  ///< smoothing gave nothing that could be proved: `curve` is the route's
+  Route route{};           ///< result of the search, before smoothing
+  bool fell_back = false;  ///< no smoothed curve was proved; `curve` is the route's
   Statistics stats{};
 };
 
 namespace detail {
 
-/// A space on which a search and a smoother work.
+/// A space on which both a search and a smoother work.
 template <class S, class Search, class Smooth>
 concept PlannableSpace = ClearanceSpace<S> && Searcher<Search, S> && Smoother<Smooth, S>;
 
 }  // namespace detail
 
-/// Chains a search, a smoother and the certificate.
+/// Runs a search and a smoother, and proves the result.
 ///
-/// `plan` returns a curve that is proved to keep the space's safety radius, or why there is none. A
-/// smoothed curve that is not proved gives way to the route's own curve (`fell_back`), and where
-/// that is not proved either the answer is `not_proved`. When the deadline passes during smoothing
-/// or its proof, the route is still proved and returned; a cancelled query returns `cancelled`.
+/// `plan` returns a curve that is proved to keep the space's safety radius, or a failure. If the
+/// smoothed curve is not proved, the plan uses the route's own curve (`fell_back`); if that is not
+/// proved either, the result is `not_proved`. If the deadline passes during smoothing or its proof,
+/// the route is still proved and returned. A cancelled query returns `cancelled`.
 ///
-/// The planner owns the search's scratch memory: use one planner per thread, and one space for all.
+/// The planner owns the search's scratch memory: use one planner per thread. Threads may share a
+/// space.
 template <class Search, class Smooth = NoSmoothing>
 class Planner {
  public:
@@ -51,7 +52,7 @@ class Planner {
   const Search& search() const { return search_; }
   const Smooth& smoother() const { return smoother_; }
 
-  /// A planner with the same options and scratch memory of its own, for another thread.
+  /// A planner with the same options and its own scratch memory, for another thread.
   Planner worker() const { return Planner(search_, smoother_); }
 
   template <detail::PlannableSpace<Search, Smooth> S>
@@ -60,7 +61,7 @@ class Planner {
     return plan(space, query, no_observer);
   }
 
-  /// The same, with an observer that is told of the nodes searched.
+  /// The same, with an observer of the search.
   template <detail::PlannableSpace<Search, Smooth> S, Observer O>
   Expected<Plan, Failure> plan(const S& space, const Query& query, O& observer) {
     Stopwatch watch;

@@ -48,13 +48,13 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// The algorithms by name, for tools that choose at run time.
+/// all_searches and all_smoothers: the algorithms by name, for selection at run time.
 
 namespace tutavia {
 
 namespace detail {
 
-/// A table that all copies of one erased JPS+ share; immutable once it is prepared.
+/// The jump table that all copies of a type-erased JPS+ share; each prepared table is immutable.
 class SharedJumpTable {
  public:
   template <GridSpace S>
@@ -73,7 +73,7 @@ class SharedJumpTable {
   std::shared_ptr<const JumpTable> table_;
 };
 
-/// JPS+ with a table that is prepared for the space at the first query.
+/// A type-erased JPS+ that prepares the table of a space at its first query.
 template <GridSpace S>
 AnySearch<S> erase_jps_plus() {
   auto shared = std::make_shared<detail::SharedJumpTable>();
@@ -88,7 +88,7 @@ AnySearch<S> erase_jps_plus() {
           }};
 }
 
-/// Adds those of some searches that work on S, with default options.
+/// Adds the searches that work on S, with default options.
 template <class... Searches, class S>
 void add_searches(std::vector<AnySearch<S>>& all) {
   const auto add = [&]<class A>(const A& search) {
@@ -97,7 +97,7 @@ void add_searches(std::vector<AnySearch<S>>& all) {
   (add(Searches{}), ...);
 }
 
-/// The same of smoothers.
+/// Adds the smoothers that work on S, with default options.
 template <class... Smoothers, class S>
 void add_smoothers(std::vector<AnySmoother<S>>& all) {
   const auto add = [&]<class A>(const A& smoother) {
@@ -110,9 +110,9 @@ void add_smoothers(std::vector<AnySmoother<S>>& all) {
 
 /// Every searcher of the library that works on S, with default options.
 ///
-/// TangentGraph is for workspaces alone. A CellSpace has features, too, but one on each side of a
-/// blocked cell, each of which would be a circle in a graph whose size is quadratic in them; and at
-/// the safety radius 0, which is usual for cells, the search is not defined.
+/// TangentGraph requires a workspace. A CellSpace has features, too, but every exposed side of a
+/// blocked cell is one. Each would add a circle to a graph of quadratic size. At safety radius 0,
+/// which is usual for cells, the search is not defined.
 template <FreeSpace S>
 std::vector<AnySearch<S>> all_searches() {
   std::vector<AnySearch<S>> all;
@@ -126,8 +126,8 @@ std::vector<AnySearch<S>> all_searches() {
   return all;
 }
 
-/// Every smoother of the library that works on S, with default options. HomotopyRefine, which asks
-/// TangentGraph, is for workspaces alone for the same reasons.
+/// Every smoother of the library that works on S, with default options. HomotopyRefine, which uses
+/// TangentGraph, requires a workspace for the same reasons.
 template <FreeSpace S>
 std::vector<AnySmoother<S>> all_smoothers() {
   std::vector<AnySmoother<S>> all;

@@ -18,44 +18,43 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// SpeedProfile: how fast to drive along a curve within limits.
+/// SpeedProfile: the speed along a curve within limits.
 
 namespace tutavia {
 
-/// What a robot can do. All but the speeds at the ends must be positive, all but the jerk finite.
+/// Kinematic limits of a robot. All but the speeds at the ends must be positive; all but the jerk
+/// must be finite.
 struct SpeedLimits {
   double max_speed = 1;           ///< [m/s]
   double max_acceleration = 0.5;  ///< along the curve [m/s^2]
   double max_deceleration = 0.5;  ///< along the curve, as a positive number [m/s^2]
   double max_lateral_acceleration =
       0.5;  ///< across the curve: speed squared times curvature [m/s^2]
-  /// How fast the acceleration along the curve may change [m/s^3]; infinity: in jumps.
+  /// Limit on the change of the acceleration along the curve [m/s^3]; infinity allows jumps.
   double max_jerk = std::numeric_limits<double>::infinity();
   double start_speed = 0;  ///< [m/s]
-  double end_speed = 0;    ///< at most this at the end [m/s]
+  double end_speed = 0;    ///< upper bound at the end [m/s]
 };
 
-/// A curve with the speed along it, within limits that hold everywhere on the curve, not only at
-/// samples.
+/// A curve with a speed profile. The limits hold everywhere on the curve, not only at samples.
 ///
-/// The curve is cut into intervals, each with a bound on its curvature in closed form and so on its
-/// speed. Over the square of the speed a constant acceleration is a straight line: one pass forward
-/// and one backward give the speeds at the ends of the intervals, and within an interval the robot
-/// accelerates, keeps its speed and brakes. At corners, where the direction jumps, it stops. As
-/// fast as these bounds allow; O(n) for n pieces.
+/// The curve is cut into intervals. A closed-form bound on the curvature of each interval bounds
+/// its speed. At constant acceleration the squared speed is linear in arc length: a backward and a
+/// forward pass give the speeds at the interval boundaries, and within an interval the robot
+/// accelerates, cruises and brakes. It stops at corners, where the direction jumps. The profile is
+/// time-optimal under these bounds. O(n) for n pieces.
 ///
-/// With a finite `max_jerk` the acceleration is continuous, too, and 0 at both ends and at stops.
-/// From stop to stop the robot then drives an average over time of such a motion (see
-/// JerkLimitedProfile), which takes longer than the fastest motion within the limits: on a long
-/// straight line from rest to rest (a + b) / max_jerk more than without that limit, where the
-/// fastest takes half of that; and bends slow it down somewhat before and after them. O(n log n)
-/// for n pieces.
+/// With a finite `max_jerk` the acceleration is continuous, and 0 at both ends and at stops.
+/// Between stops the motion is then a moving average of a trapezoidal one (see JerkLimitedProfile).
+/// It is slower than the time-optimal motion: on a long straight line from rest to rest, the jerk
+/// limit adds (a + b) / max_jerk, twice as much as for the optimum, and the robot slows down
+/// somewhat before and after bends. O(n log n) for n pieces.
 ///
 /// Source: Bobrow, Dubowsky and Gibson 1985, "Time-optimal control of robotic manipulators along
-/// specified paths", for accelerations that do not depend on the place.
+/// specified paths", for accelerations that do not depend on the position.
 class SpeedProfile {
  public:
-  /// What a robot does at one time on its way.
+  /// The state of the robot at one time.
   struct State {
     double time = 0;  ///< [s]
     double s = 0;     ///< arc length from the start [m]
@@ -66,21 +65,21 @@ class SpeedProfile {
     double acceleration = 0;  ///< along the curve [m/s^2]
   };
 
-  /// `invalid_option` for limits that are out of range and for a start speed from which the robot
-  /// cannot brake in time (with a finite jerk: from which this motion cannot), `invalid_input` for
-  /// a curve that is empty or cannot be followed at any speed: one with a cusp.
+  /// Errors: `invalid_option` for limits out of range and for a start speed from which the robot
+  /// cannot brake in time (with a finite jerk: from which this kind of motion cannot);
+  /// `invalid_input` for a curve that is empty or has a cusp, which no speed can follow.
   static Expected<SpeedProfile, Failure> build(Curve curve, const SpeedLimits& limits);
 
   const Curve& curve() const { return curve_; }
-  /// Of the whole way [s].
+  /// Duration of the whole motion [s].
   double duration() const { return duration_; }
-  /// The state at a time; before the start and after the end, the states there.
+  /// The state at a time [s], clamped to the duration.
   State at(double time) const;
   /// The states at equal steps of time, at most `step` apart, both ends included. \pre step > 0
   std::vector<State> sample(double step) const;
 
  private:
-  /// A part of the way from one stop to the next.
+  /// A part of the curve from one stop to the next.
   struct Leg {
     double time;  // at its start
     detail::JerkLimitedProfile drive;
@@ -89,11 +88,11 @@ class SpeedProfile {
   static const char* invalid_option(const SpeedLimits& limits);
   static std::vector<detail::SpeedInterval> intervals_of(const Curve& curve,
                                                          const SpeedLimits& limits);
-  /// Squares of the speed limits where intervals meet and at both ends.
+  /// The squared speed limits at the interval boundaries.
   static std::vector<double> boundary_speed_limits(
       const Curve& curve, const SpeedLimits& limits,
       const std::vector<detail::SpeedInterval>& intervals);
-  /// False where it cannot brake from the start speed.
+  /// False if the robot cannot brake from the start speed.
   bool add_legs(std::span<const detail::SpeedInterval> intervals,
                 std::span<const double> boundary_speed_limits, const SpeedLimits& limits);
   detail::ProfileState state_at(double time) const;
@@ -106,8 +105,8 @@ class SpeedProfile {
 
   Curve curve_;
   double duration_ = 0;
-  detail::TrapezoidalProfile phases_;  // without a limit of jerk
-  std::vector<Leg> legs_;              // with one
+  detail::TrapezoidalProfile phases_;  // without a jerk limit
+  std::vector<Leg> legs_;              // with a jerk limit
 };
 
 inline const char* SpeedProfile::invalid_option(const SpeedLimits& limits) {
@@ -235,14 +234,14 @@ inline SpeedProfile::State SpeedProfile::at(double time) const {
   State point;
   point.time = std::clamp(time, 0.0, duration());
   const detail::ProfileState state = state_at(point.time);
-  // What the intervals add up to may differ from the length by rounding.
+  // The sum of the intervals may differ from the length by rounding.
   point.s = time >= duration() ? curve_.length() : std::min(state.s, curve_.length());
   point.speed = state.speed;
   point.acceleration = state.acceleration;
-  const CurvePoint place = curve_.at(point.s);
-  point.position = place.position;
-  point.heading = place.heading;
-  point.curvature = place.curvature;
+  const CurvePoint on_curve = curve_.at(point.s);
+  point.position = on_curve.position;
+  point.heading = on_curve.heading;
+  point.curvature = on_curve.curvature;
   return point;
 }
 

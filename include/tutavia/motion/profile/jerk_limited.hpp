@@ -15,21 +15,21 @@
 #include "tutavia/motion/profile/trapezoidal.hpp"
 
 /// \file
-/// JerkLimitedProfile: a drive with a limit on the change of its acceleration.
+/// JerkLimitedProfile: a motion along a line with limited jerk.
 
 namespace tutavia::detail {
 
-/// A drive over intervals with speed limits, whose acceleration changes by `max_jerk` per second at
-/// most and is 0 at both ends.
+/// A motion over intervals with speed limits. Its acceleration changes by at most `max_jerk` per
+/// second and is 0 at both ends.
 ///
-/// It is the average, over a window of time T, of a drive in phases of constant acceleration
-/// between -b and a. So its acceleration, an average of theirs, lies between -b and a, and changes
-/// by (a + b) / T = max_jerk per second at most. The limits on the speed hold for the average,
-/// because the drive that is averaged keeps each of them as far beyond both ends of its interval as
-/// the window can reach. At the ends that drive keeps its speed (or stands) for a time T.
+/// It is the moving average, over a window of time T, of a motion in phases of constant
+/// acceleration between -b and a. So its acceleration lies between -b and a and changes by at most
+/// (a + b) / T = max_jerk per second. The average keeps the speed limits, because the averaged
+/// motion keeps each limit beyond both ends of its interval, as far as the window can extend. At
+/// its ends the averaged motion has constant speed (or rests) for a time T.
 ///
-/// A smaller acceleration has a shorter window, which pays on short ways: accelerations a, b are
-/// tried with factors 1, 1/sqrt(2), 1/2, ... until the time grows.
+/// A smaller acceleration has a shorter window, which is faster over short distances: accelerations
+/// a, b are tried with factors 1, 1/sqrt(2), 1/2, ... until the duration increases.
 ///
 /// Source: Biagiotti and Melchiorri 2012, "FIR filters for online trajectory planning with time-
 /// and frequency-domain specifications" (averages of a trajectory bound its next derivative).
@@ -37,11 +37,11 @@ class JerkLimitedProfile {
  public:
   struct Limits {
     double max_acceleration, max_deceleration, max_jerk;  // [m/s^2], [m/s^3]
-    double start_speed, end_speed;                        // [m/s]; the latter at most
+    double start_speed, end_speed;                        // [m/s]; the latter is an upper bound
   };
 
-  /// From place `s` [m] on. None where this scheme cannot brake from the start speed in time.
-  /// O(n log n) for n intervals. \pre some interval has a length
+  /// The motion from position `s` [m] on. None if this scheme cannot brake from the start speed in
+  /// time. O(n log n) for n intervals. \pre some interval has a positive length
   static std::optional<JerkLimitedProfile> over(std::span<const SpeedInterval> intervals, double s,
                                                 const Limits& limits);
 
@@ -59,13 +59,14 @@ class JerkLimitedProfile {
   TrapezoidalProfile phases_;  // from half a window before the start to as much after the end
 };
 
-/// Speed limits along a line, each of them widened.
+/// Speed limits along a line, each widened on both sides.
 class WidenedLimits {
  public:
   /// Widens the limit of each interval, v, by `reach(v)` on both sides.
   template <class Reach>
   WidenedLimits(std::span<const SpeedInterval> intervals, const Reach& reach) {
-    using Event = std::tuple<double, bool, double>;  // place, whether it ends there, limit
+    using Event =
+        std::tuple<double, bool, double>;  // position, whether the limit ends there, limit
     std::vector<Event> events;
     double from = 0;
     for (const SpeedInterval& interval : intervals) {
@@ -79,9 +80,9 @@ class WidenedLimits {
     std::sort(events.begin(), events.end());
     std::multiset<double> limits;
     double last = 0;
-    for (const auto& [place, ends, limit] : events) {
-      if (place > last && !limits.empty()) parts_.push_back({last, place, *limits.begin()});
-      if (place > last || limits.empty()) last = place;
+    for (const auto& [position, ends, limit] : events) {
+      if (position > last && !limits.empty()) parts_.push_back({last, position, *limits.begin()});
+      if (position > last || limits.empty()) last = position;
       if (ends) {
         limits.erase(limits.find(limit));
       } else {
@@ -90,7 +91,7 @@ class WidenedLimits {
     }
   }
 
-  /// The limits between two places.
+  /// The limits between two positions.
   std::vector<SpeedInterval> between(double from, double to) const {
     std::vector<SpeedInterval> result;
     for (const Part& part : parts_) {
@@ -99,7 +100,7 @@ class WidenedLimits {
     }
     return result;
   }
-  /// The least of them.
+  /// The smallest limit between two positions.
   double least(double from, double to) const {
     double result = std::numeric_limits<double>::infinity();
     for (const Part& part : parts_) {
@@ -131,9 +132,10 @@ inline std::optional<JerkLimitedProfile> JerkLimitedProfile::over(
   return best;
 }
 
-/// While the average is at a place with limit v, the window holds a moment at which the averaged
-/// drive is there, at v or less. So it drives at v + max(a, b) T at most while the window lasts,
-/// and its way from the average to either end of the window is at most T / 2 times that.
+/// While the average is at a position with limit v, the averaged motion passes that position at
+/// some time within the window, at speed v or less. So its speed within the window is at most v +
+/// max(a, b) T, and its distance from the average to either end of the window is at most T / 2
+/// times that.
 inline std::optional<JerkLimitedProfile> JerkLimitedProfile::with(
     std::span<const SpeedInterval> intervals, double s, const Limits& limits) {
   const double a = limits.max_acceleration, b = limits.max_deceleration,
@@ -146,7 +148,7 @@ inline std::optional<JerkLimitedProfile> JerkLimitedProfile::with(
   const WidenedLimits widened(intervals, [&](double v) {
     return 0.5 * window * std::min(fastest, v + std::max(a, b) * window);
   });
-  // The average leaves the start, and comes to the end, when the window's middle is there.
+  // The average leaves the start and reaches the end when the middle of the window does.
   const double start = limits.start_speed, lead = 0.5 * window * start;
   if (!std::isfinite(window) || !(lead < length)) return std::nullopt;
   double end = std::min(limits.end_speed, (length - lead) / window);

@@ -9,25 +9,25 @@
 #include <vector>
 
 /// \file
-/// TrapezoidalProfile: a drive along a line in phases of constant acceleration.
+/// TrapezoidalProfile: a motion along a line in phases of constant acceleration.
 
 namespace tutavia::detail {
 
-/// A interval of a line with a limit on the square of the speed.
+/// An interval of a line with a limit on the squared speed.
 struct SpeedInterval {
   double length = 0;  ///< [m]
   double limit = 0;   ///< [m^2/s^2]
 };
 
-/// Where a drive is at one time, or its averages over a while.
+/// The state of a motion at one time, or its average over a time span.
 struct ProfileState {
   double s = 0;             ///< [m]
   double speed = 0;         ///< [m/s]
   double acceleration = 0;  ///< [m/s^2]
 };
 
-/// The limits on the square of the speed where intervals meet and at both ends: the smaller one of
-/// those beside each.
+/// The limits on the squared speed at the interval boundaries: the smaller one of the adjacent
+/// limits.
 inline std::vector<double> boundary_speed_limits(std::span<const SpeedInterval> intervals) {
   std::vector<double> limits(intervals.size() + 1, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < intervals.size(); ++i) {
@@ -37,8 +37,8 @@ inline std::vector<double> boundary_speed_limits(std::span<const SpeedInterval> 
   return limits;
 }
 
-/// The squares of the largest speeds at the joints of intervals from which one can brake in time,
-/// under `limits` of their own (one more than there are intervals). O(n).
+/// Backward pass: the largest squared speed at each interval boundary from which all later limits
+/// can still be met. `limits` has one entry per boundary. O(n).
 inline std::vector<double> backward_pass(std::span<const SpeedInterval> intervals,
                                          std::vector<double> limits, double braking) {
   for (std::size_t i = intervals.size(); i-- > 0;) {
@@ -47,18 +47,18 @@ inline std::vector<double> backward_pass(std::span<const SpeedInterval> interval
   return limits;
 }
 
-/// A drive in phases of constant acceleration, built from its start on.
+/// A motion in phases of constant acceleration, built from its start on.
 class TrapezoidalProfile {
  public:
-  /// Nothing yet: it will start at this time and place.
+  /// An empty motion that will start at this time and position.
   explicit TrapezoidalProfile(double time = 0, double s = 0) : time_(time), s_(s) {}
 
-  /// The fastest drive over intervals: within each it accelerates, keeps the limit and brakes.
-  /// `squares` are those of `backward_pass`, the first of them that of the speed at the
-  /// start. O(n). Gives the square of the speed at the end.
+  /// Appends the fastest motion over intervals: within each it accelerates, keeps the limit and
+  /// brakes. `squares` is the result of `backward_pass`; its first entry is the squared speed at
+  /// the start. Returns the squared speed at the end. O(n).
   double drive(std::span<const SpeedInterval> intervals, std::span<const double> squares,
                double acceleration, double braking);
-  /// Keeps a speed, which may be 0, for a while.
+  /// Appends a phase of constant speed, which may be 0.
   void keep(double speed, double duration) {
     if (!(duration > 0)) return;
     phases_.push_back({time_, s_, speed, 0, duration});
@@ -66,9 +66,9 @@ class TrapezoidalProfile {
   }
 
   double end_time() const { return time_; }
-  /// The state at a time; before the start and after the end, the states there.
+  /// The state at a time, clamped to the time span of the motion.
   ProfileState at(double time) const;
-  /// Averages over the time from `from` to `to`. \pre from < to, both within the drive
+  /// Averages over the time from `from` to `to`. \pre from < to, both within the motion
   ProfileState mean(double from, double to) const;
 
  private:
@@ -91,10 +91,11 @@ class TrapezoidalProfile {
   }
 
   std::vector<Phase> phases_;
-  double time_, s_;  // at the end of them
+  double time_, s_;  // at the end of the phases
 };
 
-/// From one square of the speed it goes up to the largest that leaves room to brake to the next.
+/// Within an interval, the squared speed rises to the largest value from which braking to the next
+/// boundary is possible.
 inline double TrapezoidalProfile::drive(std::span<const SpeedInterval> intervals,
                                         std::span<const double> squares, double acceleration,
                                         double braking) {
@@ -131,8 +132,8 @@ inline ProfileState TrapezoidalProfile::at(double time) const {
   return {phase.s_after(t), phase.speed_after(t), phase.acceleration};
 }
 
-/// A sum over phases, with weights that add up to 1: so averages lie among what they are taken of
-/// although times are rounded.
+/// A sum over phases with weights that add up to 1, so that averages lie within the range of their
+/// terms although times are rounded.
 inline ProfileState TrapezoidalProfile::mean(double from, double to) const {
   ProfileState sum;
   double weight = 0;
