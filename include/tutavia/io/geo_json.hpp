@@ -16,7 +16,7 @@
 #include "tutavia/world/scene.hpp"
 
 /// \file
-/// Workspaces in GeoJSON.
+/// parse_geo_json: workspaces from GeoJSON.
 
 namespace tutavia {
 
@@ -45,7 +45,7 @@ class GeoJsonReader {
  private:
   explicit GeoJsonReader(Workspace& workspace) : out_(workspace) {}
 
-  /// `radius` is that of the points of the feature which the object belongs to.
+  /// `radius` is the radius of points, from the feature that contains the object.
   void object(const Json& json, const std::string& name, double radius, int depth) {
     namespace fields = json_fields;
     constexpr int deepest = 16;
@@ -108,17 +108,17 @@ class GeoJsonReader {
 
 }  // namespace detail
 
-/// Parses obstacles from GeoJSON (RFC 7946), coordinates in metres of a plane: polygons with holes,
-/// lines (walls without thickness) and points, which a feature's property `radius` makes discs.
-/// Members beside the standard's are read from the top level: `safety_radius`, `name`, `start`,
-/// `goals`, `resolution`; `bbox` gives the bounds. Where they are missing the bounds are empty and
-/// the radius is NaN, which no space accepts: set them before use. `invalid_input` as for
-/// `parse_scene_json`; obstacles are not validated before a space is built.
+/// Parses obstacles from GeoJSON (RFC 7946), coordinates in metres: polygons with holes, lines
+/// (walls without thickness) and points; a feature's property `radius` turns its points into discs.
+/// The top level may have further members: `safety_radius`, `name`, `start`, `goals`, `resolution`;
+/// `bbox` gives the bounds. If they are missing, the bounds are empty and the radius is NaN, which
+/// no space accepts: set them before use. Errors: `invalid_input` as for `parse_scene_json`.
+/// Obstacles are not validated before a space is built.
 inline Expected<detail::SceneFile, Failure> parse_geo_json(std::string_view text) {
   return detail::json_fields::parse_json(text, detail::GeoJsonReader::read);
 }
 
-/// Reads a file with `parse_geo_json`; details begin with the file's name.
+/// Reads a file with `parse_geo_json`; details of failures start with the file's name.
 inline Expected<detail::SceneFile, Failure> read_geo_json(const std::filesystem::path& path) {
   return detail::read_file(path, parse_geo_json);
 }

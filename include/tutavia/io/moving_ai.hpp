@@ -29,8 +29,8 @@ namespace tutavia {
 
 /// Options of `parse_moving_ai_map`.
 struct MovingAiOptions {
-  /// What becomes of swamp (S) and water (W). The benchmark lets them be entered from some terrain
-  /// only, which no grid of free and blocked cells can say.
+  /// How to read swamp (S) and water (W). In the benchmark they may be entered from some terrain
+  /// only, which a grid of free and blocked cells cannot represent.
   enum class DirectionalTerrain { refused, blocked, free };
 
   DirectionalTerrain directional = DirectionalTerrain::refused;
@@ -40,22 +40,22 @@ struct MovingAiOptions {
 /// cells beside them free (`MovementRule::no_cut`), printed with about six digits.
 struct ScenarioRow {
   int bucket = 0;
-  std::string map;  ///< as the file says it; often out of date
+  std::string map;  ///< as given in the file; often out of date
   int width = 0;    ///< of the map [cells]
   int height = 0;
   Cell start, goal;
   double optimal_length = 0;  ///< [cells]
-  std::size_t line = 0;       ///< of the file, the first is 1
+  std::size_t line = 0;       ///< in the file; the first is 1
 };
 
 namespace detail {
 
-/// Walks over the lines of a text; what it complains of begins with the line's number.
+/// Iterates over the lines of a text. Error messages start with the number of the line.
 class MovingAiLines {
  public:
   explicit MovingAiLines(std::string_view text) : rest_(text) {}
 
-  /// Goes to the next line, less the blanks at its end. False at the end of the text.
+  /// Moves to the next line, without trailing blanks. False at the end of the text.
   bool next() {
     ++number_;
     at_end_ = rest_.empty();
@@ -64,7 +64,7 @@ class MovingAiLines {
     line_ = line_.substr(0, line_.find_last_not_of(" \t\r") + 1);
     return !at_end_;
   }
-  /// The same, over empty lines.
+  /// The same; skips empty lines.
   bool next_filled() {
     while (next()) {
       if (!line_.empty()) return true;
@@ -77,7 +77,7 @@ class MovingAiLines {
   std::vector<std::string_view> words() const {
     std::vector<std::string_view> words;
     for (std::size_t begin = 0, end = 0; end < line_.size();) {
-      begin = line_.find_first_not_of(" \t", end);  // found: no blanks at the end
+      begin = line_.find_first_not_of(" \t", end);  // found, because there are no trailing blanks
       end = std::min(line_.find_first_of(" \t", begin), line_.size());
       words.push_back(line_.substr(begin, end - begin));
     }
@@ -99,7 +99,7 @@ class MovingAiLines {
   bool at_end_ = false;
 };
 
-/// All of `word` as a number >= 0 that fits its type, or -1.
+/// The whole `word` as a number >= 0 that fits its type, or -1.
 template <class Number>
 Number moving_ai_number(std::string_view word) {
   Number value = -1;
@@ -108,7 +108,7 @@ Number moving_ai_number(std::string_view word) {
   return whole && value >= 0 && std::isfinite(static_cast<double>(value)) ? value : -1;
 }
 
-/// Reads the lines up to "map": the grid's size, all cells blocked.
+/// Reads the lines up to "map". Returns a grid of that size with all cells blocked.
 inline Expected<OccupancyGrid, Failure> read_moving_ai_header(MovingAiLines& lines) {
   std::int64_t width = 0, height = 0;  // 0: not read yet
   bool type = false;
@@ -161,10 +161,10 @@ inline Expected<ScenarioRow, Failure> read_scenario_row(const MovingAiLines& lin
 
 /// A map as a grid: cell (x, y) is column x of row y, row 0 at the top of the file.
 ///
-/// `.` and `G` are free, `@`, `O` and `T` are blocked. The header's lines may stand in any order;
-/// blanks at the ends of lines, CRLF and empty lines at the end are passed over. `invalid_input`
+/// `.` and `G` are free, `@`, `O` and `T` are blocked. The lines of the header may come in any
+/// order; trailing blanks, CRLF and empty lines at the end are ignored. Errors: `invalid_input`
 /// with the line of anything else, rows and columns counted from 0; `limit_exceeded` for more cells
-/// than `OccupancyGrid::blocked` makes.
+/// than `OccupancyGrid::blocked` allows.
 inline Expected<OccupancyGrid, Failure> parse_moving_ai_map(std::string_view text,
                                                             const MovingAiOptions& options = {}) {
   constexpr std::string_view terrains = ".G@OTSW";  // free, blocked from 2, directional from 5
@@ -198,8 +198,8 @@ inline Expected<OccupancyGrid, Failure> parse_moving_ai_map(std::string_view tex
   return grid;
 }
 
-/// The rows of a scenario file, columns apart by tabs or spaces. `invalid_input` with the line of
-/// anything malformed, and where start or goal lies outside the size that the row itself gives.
+/// The rows of a scenario file, with columns separated by tabs or spaces. Errors: `invalid_input`
+/// with the line of anything malformed, or of a start or goal outside the size given in its row.
 inline Expected<std::vector<ScenarioRow>, Failure> parse_moving_ai_scenario(std::string_view text) {
   detail::MovingAiLines lines(text);
   lines.next();
@@ -215,8 +215,8 @@ inline Expected<std::vector<ScenarioRow>, Failure> parse_moving_ai_scenario(std:
   return rows;
 }
 
-/// `invalid_input` with the line of the first row that was made for a map of another size, or whose
-/// start or goal lies outside the map. Whether these are free is not looked at.
+/// Errors: `invalid_input` with the line of the first row for a map of another size, or whose start
+/// or goal lies outside the map. Start and goal may be blocked.
 inline Expected<void, Failure> check_scenario(std::span<const ScenarioRow> rows,
                                               const OccupancyGrid& map) {
   for (const ScenarioRow& row : rows) {

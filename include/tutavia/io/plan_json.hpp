@@ -10,11 +10,11 @@
 #include "tutavia/planner.hpp"
 
 /// \file
-/// Results in JSON, version 1 of the result file.
+/// Results in JSON: version 1 of the result file.
 
 namespace tutavia {
 
-/// What was asked, beside what came of it.
+/// The query and the algorithms of a result.
 struct ResultHeader {
   std::string search;
   std::string smoother;
@@ -79,8 +79,8 @@ inline ResultJson result_head(const ResultHeader& header, std::string_view statu
 }  // namespace detail
 
 /// One entry of `results` for a plan. Numbers read back to the same double; infinite ones (the
-/// clearance where there are no obstacles, the curvature of a cusp) are null. `optimum` is the
-/// length of the shortest path, where it is known (see find_optimum).
+/// clearance without obstacles, the curvature of a cusp) become null. `optimum` is the length of
+/// the shortest path, if known (see find_optimum).
 inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const Plan& plan,
                                              std::optional<double> optimum = std::nullopt) {
   auto json = detail::result_head(header, "success");
@@ -121,7 +121,7 @@ inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const F
   return json;
 }
 
-/// The whole result file around its entries.
+/// The whole result file with its entries.
 inline nlohmann::ordered_json result_file(nlohmann::ordered_json results) {
   return {{"tutavia", 1}, {"results", std::move(results)}};
 }

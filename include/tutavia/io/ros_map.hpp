@@ -20,13 +20,13 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// Maps of ROS: the YAML and PGM files of map_server and nav2_map_server, and nav2's costmaps.
+/// ROS maps: the YAML and PGM files of map_server and nav2_map_server, and nav2's costmaps.
 
 namespace tutavia {
 
 /// A map as ROS publishes it (nav_msgs/OccupancyGrid).
 struct RosMap {
-  /// What becomes of cells of which a map knows nothing.
+  /// How to treat unknown cells.
   enum class UnknownCells { blocked, free };
 
   int width = 0;   ///< [cells]
@@ -36,12 +36,12 @@ struct RosMap {
   double resolution = 1;                ///< side of a cell [m]
   Point origin = Point::Zero();         ///< lower left corner of the map, in the map frame [m]
   double yaw = 0;                       ///< of the map's rows in the map frame, left positive [rad]
-  std::vector<std::string> warnings{};  ///< what the reader passed over, one line each
+  std::vector<std::string> warnings{};  ///< ignored parts of the file, one line each
 };
 
 namespace detail {
 
-/// What the YAML file of a map says; of `map`, all but what the image tells.
+/// The contents of the YAML file of a map. Size and values of `map` come from the image.
 struct RosMapYaml {
   RosMap map{};
   std::string image{}, mode = "trinary";
@@ -110,7 +110,7 @@ inline RosMap make_ros_map(const RosMapYaml& yaml, const PgmImage& image) {
   return map;
 }
 
-/// The grid in which exactly the cells whose value `is_free` are free.
+/// The grid whose cells are free where `is_free` holds for their value.
 template <class Value, class IsFree>
 Expected<OccupancyGrid, Failure> make_grid(std::span<const Value> values, int width, int height,
                                            IsFree is_free) {
@@ -131,8 +131,8 @@ Expected<OccupancyGrid, Failure> make_grid(std::span<const Value> values, int wi
 
 }  // namespace detail
 
-/// A map from its YAML text and its image. Every key must be there but `mode`, then trinary;
-/// unknown keys become warnings.
+/// Parses a map from its YAML text and its image. Every key is required except `mode` (default:
+/// trinary); unknown keys become warnings.
 ///
 /// With occupancy = 1 - pixel / white, or pixel / white with `negate`:
 /// - trinary: 100 above `occupied_thresh`, 0 below `free_thresh`, unknown otherwise
@@ -140,11 +140,11 @@ Expected<OccupancyGrid, Failure> make_grid(std::span<const Value> values, int wi
 /// - raw: the pixel itself, on a scale where white is 255, up to 100; unknown above. `negate`
 ///   changes nothing.
 ///
-/// That is what nav2 does up to Humble, and in trinary mode ROS 1; later versions of nav2 count a
-/// pixel exactly at a threshold as occupied or free where it is unknown here.
+/// This follows nav2 up to Humble and, in trinary mode, ROS 1. Later versions of nav2 treat a pixel
+/// exactly at a threshold as occupied or free; here it is unknown.
 ///
-/// YAML is read as far as such files need it: one scalar or list per key. `invalid_input` with the
-/// line of anything beyond, or the byte of the image; `limit_exceeded` as in `parse_pgm`.
+/// The supported subset of YAML is one scalar or list per key. Errors: `invalid_input` with the
+/// line of anything else, or the byte of the image; `limit_exceeded` as in `parse_pgm`.
 inline Expected<RosMap, Failure> parse_ros_map(std::string_view yaml, std::string_view pgm) {
   const auto head = detail::parse_ros_map_yaml(yaml);
   if (!head) return Unexpected{head.error()};
@@ -153,8 +153,8 @@ inline Expected<RosMap, Failure> parse_ros_map(std::string_view yaml, std::strin
   return detail::make_ros_map(*head, *image);
 }
 
-/// `parse_ros_map` of a YAML file and the image that it names, looked for in the YAML file's folder
-/// unless its path is absolute. Details of failures begin with the file's name.
+/// Reads a YAML file and its image with `parse_ros_map`. A relative image path starts at the folder
+/// of the YAML file. Details of failures start with the file's name.
 inline Expected<RosMap, Failure> read_ros_map(const std::filesystem::path& yaml_path) {
   const auto head = detail::read_file(yaml_path, detail::parse_ros_map_yaml);
   if (!head) return Unexpected{head.error()};
@@ -163,13 +163,13 @@ inline Expected<RosMap, Failure> read_ros_map(const std::filesystem::path& yaml_
   return detail::make_ros_map(*head, *image);
 }
 
-/// The map as a grid; row 0 is the map's bottom row, so cell (x, y) is the square from (x, y) to
-/// (x + 1, y + 1), times the resolution, of the grid frame.
+/// The map as a grid; row 0 is the map's bottom row. In the grid frame, cell (x, y) is the square
+/// from (x, y) to (x + 1, y + 1), times the resolution.
 ///
-/// Cells are blocked from `occupied_at` on. 100 is what nav2's static layer takes; of a map in
-/// scale mode it leaves all but the surest obstacles free. `invalid_option` for an `occupied_at`
-/// outside 1 to 100, `invalid_input` where the values are not width x height or one is outside -1
-/// to 100.
+/// Cells with values of `occupied_at` or more are blocked. 100 is the value of nav2's static layer;
+/// for a map in scale mode it blocks only cells of full certainty. Errors: `invalid_option` for an
+/// `occupied_at` outside 1 to 100; `invalid_input` if the values are not width x height, or one is
+/// outside -1 to 100.
 inline Expected<OccupancyGrid, Failure> to_grid(const RosMap& map, RosMap::UnknownCells unknown,
                                                 int occupied_at = 100) {
   if (occupied_at < 1 || occupied_at > 100) {
@@ -187,8 +187,8 @@ inline Expected<OccupancyGrid, Failure> to_grid(const RosMap& map, RosMap::Unkno
   });
 }
 
-/// The grid frame has its origin at the lower left corner of the map's image, x along the rows to
-/// the right and y upwards. This is the place in it of a point of the map frame; both in metres.
+/// Converts a point from the map frame to the grid frame, both in metres. The grid frame has its
+/// origin at the lower left corner of the map's image, x along the rows to the right and y upwards.
 inline Point to_grid_frame(const RosMap& map, const Point& in_map) {
   const double c = std::cos(map.yaw), s = std::sin(map.yaw);
   const double dx = in_map.x() - map.origin.x(), dy = in_map.y() - map.origin.y();
@@ -204,9 +204,9 @@ inline Point to_map_frame(const RosMap& map, const Point& in_grid) {
 
 /// A costmap of nav2 (nav2_costmap_2d) as a grid; row 0 is the bottom row, 255 is unknown.
 ///
-/// Cells are blocked from cost `blocked_at` on: 254 (lethal: an obstacle) where the planner keeps a
-/// safety radius of its own, 253 (inscribed: a robot centred here collides) where it keeps none.
-/// `invalid_option` for a `blocked_at` outside 1 to 254, `invalid_input` where there are not
+/// Cells of cost `blocked_at` or more are blocked: use 254 (lethal: an obstacle) if the planner
+/// keeps its own safety radius, 253 (inscribed: a robot centred here collides) if it keeps none.
+/// Errors: `invalid_option` for a `blocked_at` outside 1 to 254; `invalid_input` if there are not
 /// width x height values.
 inline Expected<OccupancyGrid, Failure> grid_from_costmap(std::span<const std::uint8_t> costs,
                                                           int width, int height, int blocked_at,

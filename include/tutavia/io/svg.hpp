@@ -26,20 +26,20 @@
 
 namespace tutavia {
 
-/// What to draw beside the plans; every field has a default.
+/// Options of a picture, and what to draw besides the plans.
 struct SvgOptions {
   double width = 800;                     ///< of the drawing area, in pixels
   std::vector<Point> critical_corners{};  ///< marked with crosses
-  std::vector<Segment> tree{};            ///< what a search by sampling grew, drawn thin
-  std::vector<Box> rectangles{};          ///< that a search grew
-  std::vector<Segment> intervals{};       ///< from which they grew
+  std::vector<Segment> tree{};            ///< edges of a random tree, drawn thin
+  std::vector<Box> rectangles{};          ///< rectangles of a rectangle expansion
+  std::vector<Segment> intervals{};       ///< their start intervals
   std::string title{};
   bool y_down = false;  ///< y grows downwards, as in images
 };
 
 namespace detail {
 
-/// Writes one picture: metres in, pixels out.
+/// Draws one picture, from metres to pixels.
 class SvgPicture {
  public:
   SvgPicture(const Workspace& workspace, const SvgOptions& options)
@@ -84,7 +84,7 @@ class SvgPicture {
   static constexpr std::string_view interval_style =
       "stroke=\"#b8478a\" stroke-width=\"2.4\" stroke-linecap=\"round\"";
 
-  static std::string colour(std::size_t i) {  // after Okabe and Ito: told apart by all eyes
+  static std::string colour(std::size_t i) {  // after Okabe and Ito, for colour-blind readers
     constexpr std::array<const char*, 6> colours{"#0072b2", "#d55e00", "#009e73",
                                                  "#cc79a7", "#56b4e9", "#a07400"};
     return colours[i % colours.size()];
@@ -95,7 +95,7 @@ class SvgPicture {
 
   static std::string number(double x) { return SvgWriter::number(x); }
 
-  /// The bounds.
+  /// Draws the bounds.
   void frame(std::string_view style) {
     svg_.raw("<rect x=\"" + number(paths_.offset.x()) + "\" y=\"" + number(paths_.offset.y()) +
              "\" width=\"" + number(size_.x()) + "\" height=\"" + number(size_.y()) + "\"");
@@ -103,8 +103,8 @@ class SvgPicture {
     svg_.raw("/>\n");
   }
 
-  /// The shapes of all obstacles. Stroked with twice the safety radius and round joins they are
-  /// exactly the safety zones.
+  /// Draws the shapes of all obstacles. Stroked with twice the safety radius and round joins, they
+  /// are exactly the safety zones.
   void shapes(double stroke_radius) {
     for (const Obstacle& obstacle : workspace_.obstacles) {
       if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
@@ -130,7 +130,7 @@ class SvgPicture {
   }
 
   void rectangles() {
-    for (const Box& box : options_.rectangles) {  // as paths: those without area show their border
+    for (const Box& box : options_.rectangles) {  // as paths, so that empty ones show their border
       const Point a = paths_.pixel(box.min), b = paths_.pixel(box.max);
       const std::string from = SvgWriter::pair(a), right = number(b.x());
       svg_.path("M" + from + "H" + right + "V" + number(b.y()) + "H" + number(a.x()) + "Z",
@@ -144,7 +144,7 @@ class SvgPicture {
     return "stroke=\"#9cc3b5\" stroke-width=\"" + width + "\"";
   }
 
-  /// Segments as one path.
+  /// Draws segments as one path.
   void lines(const std::vector<Segment>& segments, std::string_view style) {
     if (segments.empty()) return;
     std::string d;
@@ -207,14 +207,15 @@ class SvgPicture {
 
 }  // namespace detail
 
-/// A picture of the workspace with its true, round safety zones, and of each plan its route and its
-/// curve (Beziers as Beziers), with start, goal and a legend.
+/// A picture of the workspace with its exact, round safety zones; for each plan its route, its
+/// curve (Beziers as Beziers), start and goal; and a legend.
 inline std::string to_svg(const Workspace& workspace, std::span<const Plan> plans,
                           const SvgOptions& options = {}) {
   return detail::SvgPicture(workspace, options).draw(plans);
 }
 
-/// Writes `to_svg` to a file; `invalid_input` where that is not possible (nothing is half written).
+/// Writes `to_svg` to a file, completely or not at all. Errors: `invalid_input` if the file cannot
+/// be written.
 inline Expected<void, Failure> write_svg(const std::filesystem::path& path,
                                          const Workspace& workspace, std::span<const Plan> plans,
                                          const SvgOptions& options = {}) {

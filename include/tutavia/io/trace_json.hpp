@@ -9,13 +9,12 @@
 #include "tutavia/search/search_record.hpp"
 
 /// \file
-/// Traces: what searches did, as lines of JSON.
+/// append_trace: the events of searches, as lines of JSON.
 
 namespace tutavia {
 
-/// Appends one search to a trace: a line that says what was asked and what came of it (a result
-/// file's status), then one for each event, in order. Every line is an object with a member
-/// `event`:
+/// Appends one search to a trace: a line with the query and the status (as in a result file), then
+/// one line for each event, in order. Every line is an object with a member `event`:
 ///
 ///     {"event":"search","search":"rea_star","status":"success","start":[x,y],"goal":[x,y],
 ///      "safety_radius":r}

@@ -17,11 +17,11 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// Obstacles in WKT.
+/// parse_wkt: obstacles from WKT.
 
 namespace tutavia {
 
-/// Obstacles as read, and what the reader dropped.
+/// Parsed obstacles, and warnings about ignored parts.
 struct WktObstacles {
   std::vector<Obstacle> obstacles;
   std::vector<std::string> warnings;  ///< one line each
@@ -29,13 +29,13 @@ struct WktObstacles {
 
 namespace detail {
 
-/// A strict parser: text that it does not understand to the last character is an error, because a
-/// lenient reader puts obstacles where the text does not have them.
+/// A strict parser: any text that it does not fully understand is an error, because a lenient one
+/// would misplace obstacles.
 class WktReader {
  public:
   explicit WktReader(std::string_view text) : text_(text) {}
 
-  /// Throws a ParseError that names line and column.
+  /// Throws ParseError with line and column.
   WktObstacles read() {
     for (skip_comments(); next_ < text_.size(); skip_comments()) geometry();
     return std::move(out_);
@@ -102,7 +102,7 @@ class WktReader {
     return points;
   }
 
-  /// Reads `EMPTY`, or items separated by commas in parentheses; `at_most` items.
+  /// Reads `EMPTY`, or at most `at_most` items separated by commas in parentheses.
   template <class Item>
   void list(Item item, std::size_t at_most = std::string_view::npos) {
     skip_space();
@@ -132,12 +132,12 @@ class WktReader {
                     std::to_string(ordinates_));
     }
     if (count > 2 && out_.warnings.empty()) {
-      out_.warnings.push_back(place(at) + "ordinates beyond x and y are dropped");
+      out_.warnings.push_back(position_text(at) + "ordinates beyond x and y are dropped");
     }
     return p;
   }
 
-  /// A decimal number, which ends where a number may end.
+  /// Reads a decimal number, which must be followed by a blank, a comma, a parenthesis or the end.
   double number(const char* what) {
     skip_space();
     if (!is_number_next()) expected(next_, what);
@@ -153,7 +153,7 @@ class WktReader {
     return value;
   }
 
-  /// Whether a number begins here; neither "nan" nor "inf" does.
+  /// Whether a number starts here; "nan" and "inf" are not numbers.
   bool is_number_next() const {
     std::size_t i = next_;
     if (i < text_.size() && (text_[i] == '-' || text_[i] == '+')) ++i;
@@ -186,7 +186,7 @@ class WktReader {
   void skip_space() {
     while (!is_end() && is_space(text_[next_])) ++next_;
   }
-  /// Passes over white space and lines that begin with #.
+  /// Skips white space and lines that start with #.
   void skip_comments() {
     for (skip_space(); !is_end() && text_[next_] == '#' && is_line_start(); skip_space()) {
       next_ = std::min(text_.find('\n', next_), text_.size());
@@ -199,12 +199,12 @@ class WktReader {
                    text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
   }
   /// "line 3, column 7: ", columns in bytes.
-  std::string place(std::size_t at) const {
+  std::string position_text(std::size_t at) const {
     const std::size_t before = text_.substr(0, at).rfind('\n');  // npos + 1 is 0
     return "line " + std::to_string(line_of(at)) + ", column " + std::to_string(at - before) + ": ";
   }
   [[noreturn]] void error(std::size_t at, const std::string& what) const {
-    std::string message = place(at) + what;
+    std::string message = position_text(at) + what;
     if (line_of(first_) != line_of(at)) {
       message += " (the geometry begins at line " + std::to_string(line_of(first_)) + ")";
     }
@@ -221,8 +221,8 @@ class WktReader {
 
   std::string_view text_;
   std::size_t next_ = 0;
-  std::size_t first_ = 0;      // where the present geometry begins
-  std::size_t ordinates_ = 0;  // of its vertices; 0 before the first
+  std::size_t first_ = 0;      // start of the current geometry
+  std::size_t ordinates_ = 0;  // per vertex of the current geometry; 0 before its first vertex
   WktObstacles out_;
 };
 
@@ -230,12 +230,12 @@ class WktReader {
 
 /// Parses obstacles from WKT (OGC 06-103r4, section 7), coordinates in metres: any number of
 /// POLYGON, MULTIPOLYGON, LINESTRING, MULTILINESTRING (walls without thickness), POINT and
-/// MULTIPOINT geometries, one after the other over any number of lines; lines that begin with # are
-/// comments between geometries. The vertices of a geometry have two ordinates each, or three, or
-/// four; those beyond x and y are dropped with a warning. EMPTY is no obstacle.
+/// MULTIPOINT geometries, over any number of lines; lines between geometries that start with # are
+/// comments. All vertices of a geometry have the same number of ordinates, two to four; those after
+/// x and y are dropped with a warning. EMPTY gives no obstacle.
 ///
-/// All else is `invalid_input` with line and column. Obstacles are not validated before a space is
-/// built.
+/// Errors: `invalid_input` with line and column for anything else. Obstacles are not validated
+/// before a space is built.
 inline Expected<WktObstacles, Failure> parse_wkt(std::string_view text) {
   return detail::parse_or_fail([&] { return detail::WktReader(text).read(); });
 }

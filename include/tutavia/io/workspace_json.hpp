@@ -16,7 +16,7 @@
 #include "tutavia/world/scene.hpp"
 
 /// \file
-/// Workspaces and scenes in JSON.
+/// parse_scene_json: workspaces and scenes from JSON.
 
 namespace tutavia {
 
@@ -73,9 +73,8 @@ inline SceneFile read_scene(const nlohmann::json& json) {
 /// Parses a workspace or scene: `bounds [x0,y0,x1,y1]`, `safety_radius`, `obstacles` (each
 /// `{"polygon":[[x,y],...],"holes":[...]}`, `{"center":[x,y],"radius":R}` or
 /// `{"bbox":[x0,y0,x1,y1]}`), optional `name`, `start`, `goals`, `resolution`; metres. Unknown keys
-/// are ignored, with a warning each for those at top level. `invalid_input` with line and column
-/// for malformed JSON, with the field for a value of the wrong kind, and with what `validate`
-/// finds.
+/// are ignored; each at top level gives a warning. Errors: `invalid_input` with line and column for
+/// malformed JSON, with the field for a value of the wrong type, and those of `validate`.
 inline Expected<detail::SceneFile, Failure> parse_scene_json(std::string_view text) {
   auto file = detail::json_fields::parse_json(text, detail::read_scene);
   if (!file) return file;
@@ -83,12 +82,12 @@ inline Expected<detail::SceneFile, Failure> parse_scene_json(std::string_view te
   return file;
 }
 
-/// Reads a file with `parse_scene_json`; details begin with the file's name.
+/// Reads a file with `parse_scene_json`; details of failures start with the file's name.
 inline Expected<detail::SceneFile, Failure> read_scene_json(const std::filesystem::path& path) {
   return detail::read_file(path, parse_scene_json);
 }
 
-/// A scene as JSON that `parse_scene_json` reads back to the same scene.
+/// A scene as JSON. `parse_scene_json` reads it back to an equal scene.
 inline nlohmann::ordered_json scene_to_json(const Scene& scene) {
   using Json = nlohmann::ordered_json;
   const auto point = [](const Point& p) { return Json{p.x(), p.y()}; };

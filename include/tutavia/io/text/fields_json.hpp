@@ -13,11 +13,11 @@
 #include "tutavia/world/scene.hpp"
 
 /// \file
-/// What the readers of JSON files share.
+/// json_fields: helpers to read fields of JSON files.
 
 namespace tutavia::detail {
 
-/// A scene as read, and what the reader passed over.
+/// A parsed scene, and warnings about ignored parts.
 struct SceneFile {
   Scene scene;
   std::vector<std::string> warnings;  ///< one line each
@@ -33,7 +33,7 @@ inline void require(bool condition, const std::string& name, const std::string& 
   if (!condition) throw ParseError{name + ": expected " + expected};
 }
 
-/// The name is no reference, so that g++ does not take the result for one to a temporary.
+/// The name is not a std::string reference, because g++ would warn of a dangling reference.
 inline const Json& field(const Json& json, const char* name) {
   if (!json.contains(name)) throw ParseError{"\"" + std::string(name) + "\" is missing"};
   return json[name];
@@ -49,7 +49,7 @@ inline std::string string(const Json& json, const std::string& name) {
   return json.get<std::string>();
 }
 
-/// [x, y]; with `at_least`, further numbers are passed over.
+/// [x, y]; with `at_least`, further numbers are ignored.
 inline Point point(const Json& json, const std::string& name, bool at_least = false) {
   require(json.is_array() && (json.size() == 2 || (at_least && json.size() > 2)) &&
               json[0].is_number() && json[1].is_number(),
@@ -89,8 +89,8 @@ inline void read_task(const Json& json, Scene& scene) {
   if (json.contains("resolution")) scene.resolution = number(json["resolution"], "resolution");
 }
 
-/// `read` of parsed text, with everything that can go wrong as `invalid_input`: malformed JSON with
-/// line and column, a field of the wrong kind with its place.
+/// Parses text and calls `read` with the result. Errors: `invalid_input` with line and column for
+/// malformed JSON, and with the name of a field of the wrong type.
 template <class Read>
 Expected<SceneFile, Failure> parse_json(std::string_view text, Read read) {
   try {

@@ -6,17 +6,17 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// ParseError: how a parser gives up in the middle of a text.
+/// ParseError: the internal exception of parsers.
 
 namespace tutavia::detail {
 
-/// Thrown by the parsers of io/, and caught before their results leave it: see `parse_or_fail`.
+/// Thrown by the parsers of io/ and caught within io/; see `parse_or_fail`.
 struct ParseError {
   std::string what;
   PlanError code = PlanError::invalid_input;
 };
 
-/// What `parse()` returns, or the ParseError that it throws as a failure.
+/// The result of `parse()`, or a failure for the ParseError that it throws.
 template <class Parse>
 auto parse_or_fail(Parse parse) -> Expected<decltype(parse()), Failure> {
   try {

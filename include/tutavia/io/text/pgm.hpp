@@ -15,7 +15,7 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// Grey images in the format PGM.
+/// parse_pgm: grey images in PGM format.
 
 namespace tutavia::detail {
 
@@ -23,11 +23,11 @@ namespace tutavia::detail {
 struct PgmImage {
   int width = 0;
   int height = 0;
-  int max_value = 0;                    ///< of a pixel: white; 0 is black
+  int max_value = 0;                    ///< value of white; 0 is black
   std::vector<std::uint16_t> pixels{};  ///< row by row, row 0 is the TOP
 };
 
-/// Reads both kinds of PGM (netpbm, pgm(5)). Throws a ParseError that names the byte.
+/// Reads both variants of PGM (netpbm, pgm(5)). Throws ParseError with the byte.
 class PgmReader {
  public:
   explicit PgmReader(std::string_view bytes) : bytes_(bytes) {}
@@ -76,7 +76,7 @@ class PgmReader {
   }
 
   static bool is_blank(char c) { return c == ' ' || ('\t' <= c && c <= '\r'); }
-  /// Passes over white space and comments, which begin with #.
+  /// Skips white space and comments, which start with #.
   void skip_blanks() {
     for (bool comment = false; at_ < bytes_.size(); ++at_) {
       const char c = bytes_[at_];
@@ -84,7 +84,7 @@ class PgmReader {
       if (!comment && !is_blank(c)) return;
     }
   }
-  /// Steps over blanks, at least one, and a number; what 64 bits cannot hold is `too_large`.
+  /// Reads at least one blank and a number; one that exceeds 64 bits becomes `too_large`.
   std::int64_t number(std::int64_t low, std::int64_t high, const std::string& what) {
     const std::size_t before = at_;
     skip_blanks();
@@ -124,9 +124,9 @@ class PgmReader {
   std::size_t at_ = 0;
 };
 
-/// A PGM image, P2 or P5, of up to 2^30 pixels (`limit_exceeded`); P5 with a greatest value above
-/// 255 has two bytes per pixel, the high one first. `invalid_input` with the byte at which
-/// something else stands than expected; a file that is longer than its image is refused, too.
+/// A PGM image, P2 or P5, of up to 2^30 pixels (`limit_exceeded`); P5 with a maximum value above
+/// 255 has two bytes per pixel, the high one first. Errors: `invalid_input` with the byte of the
+/// first unexpected content, including data after the last pixel.
 inline Expected<PgmImage, Failure> parse_pgm(std::string_view pgm) {
   return parse_or_fail([&] { return PgmReader(pgm).read(); });
 }

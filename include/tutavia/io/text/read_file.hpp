@@ -11,11 +11,11 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// read_file: a file's text, parsed.
+/// read_file: reads and parses a file.
 
 namespace tutavia::detail {
 
-/// The text of a file, or `invalid_input` with its name.
+/// The text of a file. Errors: `invalid_input` with its name.
 inline Expected<std::string, Failure> read_text(const std::filesystem::path& path) {
   std::error_code error;
   std::ifstream file(path, std::ios::binary);
@@ -27,7 +27,7 @@ inline Expected<std::string, Failure> read_text(const std::filesystem::path& pat
   return text;
 }
 
-/// `parse` of a file's text; details of failures begin with the file's name.
+/// The result of `parse` for the text of a file; details of failures start with the file's name.
 template <class Parse>
 auto read_file(const std::filesystem::path& path, Parse parse)
     -> decltype(parse(std::string_view{})) {

@@ -8,7 +8,7 @@
 #include "tutavia/io/text/svg_writer.hpp"
 
 /// \file
-/// SvgLegend: the symbols of a picture, and the rows that explain them.
+/// SvgLegend: the symbols of a picture, and rows that explain them.
 
 namespace tutavia::detail {
 
@@ -24,11 +24,11 @@ inline void cross_symbol(SvgWriter& svg, const Point& p) {
   svg.stroke("M" + SvgWriter::pair({p.x() - 5, p.y() - 5}) + "l10 10m0 -10l-10 10",
              "stroke=\"#c1121f\" stroke-width=\"2.4\"");
 }
-/// A piece of a line.
+/// A short line.
 inline void line_symbol(SvgWriter& svg, const Point& p, std::string_view style) {
   svg.stroke("M" + SvgWriter::pair({p.x() - 13, p.y()}) + "h26", style);
 }
-/// A piece of an area.
+/// A small filled rectangle.
 inline void area_symbol(SvgWriter& svg, const Point& p, std::string_view style) {
   svg.raw("<rect x=\"" + SvgWriter::number(p.x() - 12) + "\" y=\"" + SvgWriter::number(p.y() - 7) +
           "\" width=\"24\" height=\"14\" ");

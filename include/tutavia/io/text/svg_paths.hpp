@@ -15,12 +15,12 @@
 
 namespace tutavia::detail {
 
-/// From metres to pixels.
+/// Converts metres to pixels.
 struct SvgPaths {
-  Box bounds;    ///< what is drawn [m]
-  double scale;  ///< pixels in a metre
+  Box bounds;    ///< of the drawing [m]
+  double scale;  ///< pixels per metre
   Point offset;  ///< upper left corner of the bounds, in pixels
-  bool y_down;   ///< y grows downwards in metres, too
+  bool y_down;   ///< y grows downwards in metric coordinates, too
 
   Point pixel(const Point& p) const {
     return {offset.x() + (p.x() - bounds.min.x()) * scale,
@@ -63,7 +63,8 @@ struct SvgPaths {
     return d;
   }
 
-  /// As cubic Bezier pieces with the same ends and directions, none of which turns much.
+  /// Approximates a piece by cubic Bezier pieces with the same ends and directions, each with a
+  /// small turn.
   std::string of_clothoid(const Clothoid& clothoid) const {
     const double turn = clothoid.largest_curvature() * clothoid.arc_length;
     const int parts = std::max(1, static_cast<int>(std::ceil(2 * turn)));

@@ -9,15 +9,15 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// SvgWriter: elements of an SVG document.
+/// SvgWriter: writes the elements of an SVG document.
 
 namespace tutavia::detail {
 
-/// Writes an SVG document element by element; all places and lengths are in pixels. A `style` is
-/// attributes as SVG spells them, such as fill="none".
+/// Writes an SVG document element by element; all positions and lengths are in pixels. A `style` is
+/// a list of SVG attributes, such as fill="none".
 class SvgWriter {
  public:
-  /// A white picture.
+  /// Starts an empty, white picture.
   SvgWriter(double width, double height)
       : svg_("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" +
              number(height) + "\" viewBox=\"0 0 " + number(width) + " " + number(height) +
@@ -62,7 +62,7 @@ class SvgWriter {
     svg_ += "</text>\n";
   }
 
-  /// Adds markup as it is.
+  /// Adds raw markup.
   void raw(std::string_view markup) { svg_.append(markup); }
 
   std::string finish() const { return svg_ + "</svg>\n"; }

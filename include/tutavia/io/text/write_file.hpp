@@ -12,13 +12,13 @@
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// write_file: a whole file or none.
+/// write_file: writes a file completely or not at all.
 
 namespace tutavia::detail {
 
-/// Writes `text` to a file beside `path` and moves it there, so that `path` is never half written;
-/// what is not a regular file (a pipe, a terminal) is written directly. `invalid_input` with the
-/// system's reason where it cannot be written.
+/// Writes `text` to a file beside `path` and moves it there, so that `path` is never incomplete.
+/// Anything but a regular file (a pipe, a terminal) is written directly. Errors: `invalid_input`
+/// with the system's reason.
 inline Expected<void, Failure> write_file(const std::filesystem::path& path,
                                           std::string_view text) {
   namespace fs = std::filesystem;

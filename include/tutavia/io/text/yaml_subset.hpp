@@ -18,8 +18,8 @@
 
 namespace tutavia::detail {
 
-/// A flat YAML document: per key a scalar or a list of scalars, plain or in quotes that hold
-/// neither quotes nor escapes. All members throw a ParseError that names the line of anything else.
+/// A flat YAML document: each key has a scalar or a list of scalars, plain or in quotes without
+/// inner quotes or escapes. All members throw ParseError with the line of anything else.
 class YamlSubset {
  public:
   explicit YamlSubset(std::string_view text) {
@@ -45,7 +45,7 @@ class YamlSubset {
     }
     return value;
   }
-  /// A warning for each key whose values no_observer asked for.
+  /// A warning for each key that was never read.
   std::vector<std::string> warnings() const {
     std::vector<std::string> result;
     for (const Entry& entry : entries_) {
@@ -55,7 +55,7 @@ class YamlSubset {
     return result;
   }
 
-  /// Complains of the line whose values were asked for last.
+  /// Throws an error about the line of the key that was read last.
   [[noreturn]] void reject(const std::string& expected, const std::string& found) const {
     throw ParseError{"line " + std::to_string(line_) + ": expected " + expected + ", found " +
                      found};
@@ -67,7 +67,7 @@ class YamlSubset {
     std::string key{};
     std::size_t line = 0;
     std::vector<std::string> values{};
-    bool is_open = false;  ///< items of a list may follow
+    bool is_open = false;  ///< list items may follow
     bool used = false;
   };
 
@@ -88,7 +88,7 @@ class YamlSubset {
     }
   }
 
-  /// "- value", an item of the list that a line above began.
+  /// Parses "- value", an item of the open list.
   void read_item(std::size_t indent) {
     if (entries_.empty() || !entries_.back().is_open) reject("key: value");
     if (entries_.back().values.empty()) indent_ = indent;
@@ -96,7 +96,7 @@ class YamlSubset {
     add(entries_.back(), content_.substr(1));
   }
 
-  /// "key: value", "key: [value, value]", or "key:" before a list.
+  /// Parses "key: value", "key: [value, value]", or "key:" before a list.
   void read_entry(std::size_t indent) {
     const std::size_t colon = content_.find(':');
     Entry entry{std::string(trimmed(content_.substr(0, colon))), line_};
@@ -162,12 +162,12 @@ class YamlSubset {
     return entry->values;
   }
 
-  /// Complains of the line that is being read.
+  /// Throws an error about the current line.
   [[noreturn]] void reject(const std::string& expected) const {
     reject(expected, '"' + std::string(content_.substr(0, 60)) + '"');
   }
 
-  std::string_view content_;  // of the line that is being read
+  std::string_view content_;  // of the current line
   std::size_t line_ = 1;
   std::size_t indent_ = 0;  // of the items of a list
   bool has_marker_ = false;
