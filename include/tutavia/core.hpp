@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// The module core: what no standard library has yet.
+/// The module core: Expected, budgets and random numbers.
 
 #include "tutavia/core/assert.hpp"
 #include "tutavia/core/budget.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// The module plan: the words of planning.
+/// The module plan: queries, routes and failures.
 
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/plan/query.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// Everything but JSON (see the target tutavia::json) and the choice by name (any_algorithm.hpp,
-/// registry.hpp).
+/// The whole library, except JSON (see the target tutavia::json) and the selection by name
+/// (any_algorithm.hpp, registry.hpp).
 
 #include "tutavia/batch.hpp"
 #include "tutavia/certify.hpp"

@@ -14,13 +14,13 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// certify: proves a curve safe, or says where it is not.
+/// certify: proves a curve safe, or names a violation.
 
 namespace tutavia {
 
-/// How hard to try; the defaults suit robots of centimetres to kilometres.
+/// Accuracy and effort; the defaults suit maps from centimetres to kilometres.
 struct CertifyOptions {
-  double epsilon = 1e-6;  ///< wanted width of the interval around the clearance [m]
+  double epsilon = 1e-6;  ///< target width of the interval around the clearance [m]
   std::size_t max_evaluations_per_piece = 256;
 };
 
@@ -66,17 +66,17 @@ class ClearanceInterval {
 
  private:
   struct Narrowed {
-    double lower;    // bound of the part's clearance
-    double nearest;  // where on the part, by its own parameter
+    double lower;    // lower bound of the part's clearance
+    double nearest;  // parameter of the nearest point, on the part
   };
 
-  /// Takes the distance of one part, by a stand-in for it that deviates from it by `deviation` at
-  /// most: lowers the upper bound where it can.
-  template <class P, class StandIn>
-  Narrowed narrow(const P& piece, std::size_t index, const Part<P>& part, const StandIn& stand_in,
-                  double deviation) {
+  /// Computes the distance of one part from a substitute that deviates from it by at most
+  /// `deviation`, and lowers the upper bound if possible.
+  template <class P, class Substitute>
+  Narrowed narrow(const P& piece, std::size_t index, const Part<P>& part,
+                  const Substitute& substitute, double deviation) {
     const double margin = deviation + distance_rounding_error(magnitude_) + error_.at(part.depth);
-    const NearestObstacle found = space_.nearest(stand_in, out_.upper + margin);
+    const NearestObstacle found = space_.nearest(substitute, out_.upper + margin);
     ++out_.evaluations;
     if (found.distance + margin < out_.upper) {
       out_.upper = found.distance + margin;
@@ -93,7 +93,7 @@ class ClearanceInterval {
   double epsilon_;
   std::size_t max_evaluations_;
   Certificate& out_;
-  // Of the piece that is looked at.
+  // Of the current piece.
   double magnitude_ = 0;
   PieceError error_;
 };
@@ -102,9 +102,9 @@ class ClearanceInterval {
 
 /// Proves that the whole continuous curve lies within the bounds and keeps the space's safety
 /// radius from every obstacle, and encloses its clearance in an interval of width `epsilon` (or of
-/// the rounding error, where that is larger). `proved` is never said of a curve that comes closer
-/// than the safety radius anywhere; `violated` names a point that does. A curve that is empty,
-/// broken between two pieces, or out of `budget` is `undecided`.
+/// the rounding error, where that is larger). A curve that comes closer than the safety radius
+/// anywhere is never `proved`; `violated` names such a point. The result is `undecided` for a curve
+/// that is empty or has a gap between two pieces, or if `budget` runs out.
 template <ClearanceSpace S>
 Certificate certify(const S& space, const Curve& curve, const CertifyOptions& options = {},
                     const Budget& budget = {}) {

@@ -13,14 +13,14 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// Decides whether one piece keeps a distance from all obstacles.
+/// prove_distance: decides whether one piece keeps a distance from all obstacles.
 
 namespace tutavia {
 
 /// The verdict on one piece.
 struct PieceProof {
   ProofStatus status = ProofStatus::undecided;
-  double parameter = 0;  ///< violated: where, in [0, 1]
+  double parameter = 0;  ///< of a violating point, in [0, 1]
   std::size_t evaluations = 0;
 };
 
@@ -37,18 +37,17 @@ struct Part {
   double parameter(double local) const { return from + local * (to - from); }
 };
 
-/// Parts still to be looked at. Depth-first search holds one sibling per level.
+/// A stack of unproved parts. Depth-first search holds one sibling per level.
 template <class P>
 class PartStack {
  public:
-  static constexpr int max_depth = 40;  // halving takes deviations below rounding long before
+  static constexpr int max_depth = 40;  // deviations fall below rounding much earlier
 
   explicit PartStack(const P& piece) : parts_{Part<P>{piece, 0, 1, 0}} {}
 
   bool empty() const { return size_ == 0; }
   Part<P> pop() { return parts_[--size_]; }
-  /// Puts both halves on the stack; the one looked at next is that which holds `nearest`, a
-  /// parameter of the part.
+  /// Pushes both halves; the one with the parameter `nearest` of the part comes first.
   void push_halves(const Part<P>& part, double nearest) {
     const auto [left, right] = part.piece.halves();
     const double middle = part.parameter(0.5);
@@ -63,18 +62,17 @@ class PartStack {
   std::size_t size_ = 1;
 };
 
-/// Pieces that are refined by halving; segments and arcs have distances in closed form.
+/// Pieces that are refined by halving; for segments and arcs distances have a closed form.
 template <class P>
 concept Divisible = requires(const P& piece) {
   piece.halves();
   piece.deviation();
 };
 
-/// How far computed places of a piece can be from the true ones, and its computed deviation from
-/// the true one [m].
+/// Error bounds of the computed points of a piece, and of its computed deviation [m].
 struct PieceError {
-  double whole = 0;        ///< of the piece as it is given
-  double per_halving = 0;  ///< added by each halving, and by the last look
+  double whole = 0;        ///< of the whole piece
+  double per_halving = 0;  ///< added by each halving, and by the final test
 
   double at(int depth) const { return whole + (depth + 1) * per_halving; }
 };
@@ -88,31 +86,31 @@ PieceError piece_error(const Bezier<Degree>&, double magnitude) {
   return {0, 6 * 0x1p-53 * magnitude};
 }
 
-/// A segment against the obstacles' boundaries: one distance, and the space's exact test for ties
+/// Proves a segment: one distance to the obstacles' boundaries, and the space's exact test for ties
 /// at its own safety radius.
 template <ClearanceSpace S>
-PieceProof prove(const S& space, const Segment& segment, double distance, double slack,
+PieceProof prove(const S& space, const Segment& segment, double distance, double error_bound,
                  std::size_t) {
-  const NearestObstacle found = space.nearest(segment, distance + slack);
+  const NearestObstacle found = space.nearest(segment, distance + error_bound);
   PieceProof proof{ProofStatus::undecided, found.parameter, 1};
-  if (found.distance >= distance + slack) {
+  if (found.distance >= distance + error_bound) {
     proof.status = space.is_inside(segment.a) ? ProofStatus::violated : ProofStatus::proved;
-  } else if (found.distance < distance - slack) {
+  } else if (found.distance < distance - error_bound) {
     proof.status = ProofStatus::violated;
   } else if (distance == space.safety_radius()) {
     if (space.segment_free(segment.a, segment.b)) {
       proof.status = ProofStatus::proved;
-    } else if (distance > 0) {  // at radius 0 the space refuses some contacts that are no violation
+    } else if (distance > 0) {  // at radius 0 the space rejects some contacts that are no violation
       proof.status = ProofStatus::violated;
     }
   }
   return proof;
 }
 
-/// An arc: one distance in closed form, and its extremes against the bounds.
+/// Proves an arc: one distance in closed form, and a test of its extremes against the bounds.
 template <ClearanceSpace S>
-PieceProof prove(const S& space, const Arc& arc, double distance, double slack, std::size_t) {
-  const double error = slack + arc.evaluation_error();
+PieceProof prove(const S& space, const Arc& arc, double distance, double error_bound, std::size_t) {
+  const double error = error_bound + arc.evaluation_error();
   if (!std::isfinite(error)) return {};
   const NearestObstacle found = space.nearest(arc, distance + error);
   PieceProof proof{ProofStatus::proved, found.parameter, 1};
@@ -133,20 +131,20 @@ PieceProof prove(const S& space, const Arc& arc, double distance, double slack, 
   return proof;
 }
 
-/// A piece that is halved where its chord and its deviation leave the answer open.
+/// Proves a curved piece, by halving while its chord and deviation do not decide.
 template <ClearanceSpace S, Divisible P>
-PieceProof prove(const S& space, const P& piece, double distance, double slack,
+PieceProof prove(const S& space, const P& piece, double distance, double error_bound,
                  std::size_t max_evaluations) {
   const Box& bounds = space.bounds();
   const double magnitude = std::fmax(space.largest_coordinate(), piece.box().largest_coordinate());
   const PieceError rounding = piece_error(piece, magnitude);
   PieceProof proof;
   PartStack<P> stack(piece);
-  bool open = false;
+  bool undecided = false;
   while (!stack.empty()) {
     const Part<P> part = stack.pop();
     const double deviation = part.piece.deviation();
-    const double error = slack + rounding.at(part.depth);
+    const double error = error_bound + rounding.at(part.depth);
     const double margin = deviation + error;
     if (!std::isfinite(margin) || proof.evaluations == max_evaluations) return proof;
     const Box hull = part.piece.box().inflated(part.depth == 0 ? rounding.whole : error);
@@ -161,12 +159,12 @@ PieceProof prove(const S& space, const P& piece, double distance, double slack,
       return {ProofStatus::violated, part.to, proof.evaluations};
     }
     if (deviation <= error || part.depth == PartStack<P>::max_depth) {
-      open = true;  // too close to call here; another part may still be violated
+      undecided = true;  // another part may still be violated
     } else {
       stack.push_halves(part, found.parameter);
     }
   }
-  proof.status = open ? ProofStatus::undecided : ProofStatus::proved;
+  proof.status = undecided ? ProofStatus::undecided : ProofStatus::proved;
   return proof;
 }
 
@@ -175,12 +173,11 @@ PieceProof prove(const S& space, const P& piece, double distance, double slack,
 /// Decides whether every point of `piece` lies within the bounds and at `distance` or more from
 /// every obstacle.
 ///
-/// Segments and arcs need one distance. For any part of another piece with chord S and deviation
-/// dev from it, the clearance lies within dev of the distance between S and the obstacles; parts
-/// that this leaves open are halved, which divides dev by four. A segment within rounding of the
-/// safety radius is decided by the space's exact test; a curved piece in that position is
-/// `undecided`. `violated` names a parameter whose point is closer or out of bounds. NaN and
-/// infinity are never proved. \pre distance >= 0
+/// Segments and arcs need one distance. For other pieces, the clearance of a part lies within its
+/// deviation of the distance between its chord and the obstacles; undecided parts are halved, which
+/// divides the deviation by four. The space's exact test decides a segment within rounding of the
+/// safety radius; a curved piece in that position is `undecided`. `violated` names a parameter
+/// whose point is too close or out of bounds. NaN and infinity are never proved. \pre distance >= 0
 template <ClearanceSpace S, class P>
 PieceProof prove_distance(const S& space, const P& piece, double distance,
                           std::size_t max_evaluations = 256) {
@@ -192,10 +189,10 @@ PieceProof prove_distance(const S& space, const P& piece, double distance,
     }
   }
   const double magnitude = std::fmax(space.largest_coordinate(), piece.box().largest_coordinate());
-  const double slack = detail::distance_rounding_error(magnitude);
-  PieceProof proof = detail::prove(space, piece, distance, slack, max_evaluations);
-  // A connected path that keeps off all edges is outside all polygons or inside one. (The exact
-  // test of a segment, which may touch edges at radius 0, has looked at the insides itself.)
+  const double error_bound = detail::distance_rounding_error(magnitude);
+  PieceProof proof = detail::prove(space, piece, distance, error_bound, max_evaluations);
+  // A connected path that avoids all edges is outside all polygons or inside one. (The exact test
+  // of a segment, which may touch edges at radius 0, includes the interiors.)
   if constexpr (!std::is_same_v<P, Segment>) {
     if (proof.status == ProofStatus::proved && space.is_inside(piece.start())) {
       return {ProofStatus::violated, 0, proof.evaluations};
@@ -204,8 +201,7 @@ PieceProof prove_distance(const S& space, const P& piece, double distance,
   return proof;
 }
 
-/// Whether the piece is proved to be in free space: at the space's safety radius, within the
-/// bounds.
+/// Whether the piece is proved free: within the bounds, at the space's safety radius.
 template <ClearanceSpace S, class P>
 bool is_proved_free(const S& space, const P& piece) {
   return prove_distance(space, piece, space.safety_radius()).status == ProofStatus::proved;

@@ -4,8 +4,8 @@
 #include <cassert>
 
 /// \file
-/// TUTAVIA_ASSERT: catches programming errors (broken preconditions), never bad input.
-/// Define it before the first include to route it elsewhere.
+/// TUTAVIA_ASSERT: checks preconditions of the caller, never input data. Define it before the first
+/// include to replace it. Define it before the first include to route it elsewhere.
 
 #ifndef TUTAVIA_ASSERT
 #define TUTAVIA_ASSERT(condition) assert(condition)

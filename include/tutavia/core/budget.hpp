@@ -8,16 +8,15 @@
 #include <stop_token>
 
 /// \file
-/// Budget: how much time and work one query may take.
+/// Budget: limits on the time and work of one query.
 
 namespace tutavia {
 
-/// Limits of one query; they hold for search, smoothing and certification alike. The default has
-/// none.
+/// Limits of one query, for search, smoothing and certification. The default has no limits.
 struct Budget {
   using Clock = std::chrono::steady_clock;
 
-  /// Why a query has to end before its answer.
+  /// The reason why a query ends early.
   enum class End {
     exhausted,  ///< out of time
     cancelled,  ///< stopped on request
@@ -25,11 +24,11 @@ struct Budget {
 
   Clock::time_point deadline = Clock::time_point::max();
   std::uint64_t max_expansions = std::numeric_limits<std::uint64_t>::max();
-  std::stop_token stop{};  ///< ask its std::stop_source to stop, from any thread
+  std::stop_token stop{};  ///< cancel from any thread through its std::stop_source
 
   /// A budget that ends `seconds` from now.
   static Budget for_seconds(double seconds) {
-    constexpr double forever = 1e9;  // beyond it (and for NaN) the clock's range decides
+    constexpr double forever = 1e9;  // beyond it, and for NaN, there is no deadline
     Budget budget;
     if (seconds < forever) {
       seconds = seconds > 0 ? seconds : 0;
@@ -41,7 +40,7 @@ struct Budget {
 
   bool cancelled() const { return stop.stop_requested(); }
 
-  /// What ends the query now, if anything does. Reads the clock: call it once per some hundred
+  /// The reason to end the query now, if any. Reads the clock: call it once every few hundred
   /// steps.
   std::optional<End> exceeded() const {
     if (cancelled()) return End::cancelled;

@@ -32,8 +32,8 @@ class BadExpectedAccess : public std::logic_error {
 /// A value of type T or an error of type E: the subset of C++23's std::expected that the library
 /// needs, the same on every compiler.
 ///
-/// `operator*` and `operator->` require a value (asserted). `value()` throws BadExpectedAccess
-/// where there is none: convenient in scripts, where a failure should end the program.
+/// `operator*` and `operator->` require a value (asserted). `value()` throws BadExpectedAccess if
+/// there is none, for programs that end at the first failure.
 template <class T, class E>
 class Expected {
  public:
@@ -80,7 +80,8 @@ class Expected {
     return error_;
   }
   const E& error() const { return const_cast<Expected*>(this)->error(); }
-  /// The error, to be passed on: `if (!found) return std::move(found).unexpected();`. \pre no value
+  /// The error, to return it from a caller: `if (!found) return std::move(found).unexpected();`.
+  /// \pre no value
   Unexpected<E> unexpected() && { return {std::move(error())}; }
 
  private:
@@ -108,8 +109,8 @@ class Expected {
     }
   }
 
-  // Not std::variant, which costs each file that includes the header some sixty functions for each
-  // type of value.
+  // Not std::variant, which would instantiate some sixty functions per value type in every file
+  // that includes this header.
   union {
     T value_;
     E error_;

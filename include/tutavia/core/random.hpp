@@ -4,13 +4,13 @@
 #include <cstdint>
 
 /// \file
-/// Random: the same numbers from the same seed on every compiler.
+/// Random: a generator with the same numbers for the same seed on every compiler.
 
 namespace tutavia {
 
-/// SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators").
-/// A std::uniform_random_bit_generator; its own distributions do not depend on the standard
-/// library, as std::uniform_real_distribution does.
+/// SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators"). A
+/// std::uniform_random_bit_generator. Unlike std::uniform_real_distribution, its own distributions
+/// do not depend on the standard library.
 class Random {
  public:
   using result_type = std::uint64_t;
@@ -30,7 +30,7 @@ class Random {
   /// Uniform in [0, 1), a multiple of 2^-53.
   double uniform() { return static_cast<double>((*this)() >> 11) * 0x1p-53; }
 
-  /// Uniform between low and high; high itself only where rounding leads to it.
+  /// Uniform between low and high; high itself only by rounding.
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
   /// Uniform in {0, ..., bound - 1}, for a bound far below 2^64; 0 for bound 0.

@@ -15,29 +15,29 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// PathMetrics: how long, how smooth and how clear a path is.
+/// PathMetrics: length, smoothness and clearance of a path.
 
 namespace tutavia {
 
-/// Figures of one path. Turning is counted in runs: joints and curved pieces that follow one
-/// another without a straight piece in between and turn the same way are one turn. For a polyline
-/// that is every vertex.
+/// Metrics of one path. Turns are counted in runs: consecutive corners and curved pieces in the
+/// same direction, without a straight piece between them, are one turn. In a polyline every vertex
+/// is a turn.
 struct PathMetrics {
   double length = 0;               ///< [m]
   std::size_t turning_points = 0;  ///< turns of more than half a degree
   double turning_angle = 0;        ///< sum of the magnitudes of all changes of heading [rad]
   /// Sum of pi - |turn| over the turning points [rad]: the figure that the DSP paper prints (in
-  /// degrees) as "total turning angle". It rewards few turns, not gentle ones.
+  /// degrees) as "total turning angle". It favours few turns, not gentle ones.
   double interior_angle_sum = 0;
-  /// Largest magnitude of a turn at a joint between two pieces [rad]; 0 for a smooth path.
+  /// Largest turn between two consecutive pieces [rad]; 0 for a smooth path.
   double max_joint_deflection = 0;
-  /// Of the pieces [1/m]; corners between pieces are turning, not this. Infinite at cusps.
+  /// Largest curvature of the pieces [1/m]; corners between pieces do not count. Infinite at cusps.
   double max_curvature = 0;
-  /// Largest jump of the curvature at a joint between two pieces [1/m]; 0, but for rounding, where
-  /// the curvature is continuous.
+  /// Largest jump of the curvature between two consecutive pieces [1/m]; 0 up to rounding if the
+  /// curvature is continuous.
   double max_curvature_jump = 0;
   double min_clearance = 0;  ///< the proved lower bound [m]
-  /// Over arc length [m]; filled by those who ask `mean_clearance` for it.
+  /// Over arc length [m]; empty unless the caller computes it.
   std::optional<double> mean_clearance{};
 };
 
@@ -53,7 +53,7 @@ class TurnCounter {
     run_ += angle;
     metrics_.turning_angle += std::abs(angle);
   }
-  void joint(double angle) {
+  void corner(double angle) {
     metrics_.max_joint_deflection = std::max(metrics_.max_joint_deflection, std::abs(angle));
     turn(angle);
   }
@@ -71,8 +71,9 @@ class TurnCounter {
   double run_ = 0;
 };
 
-/// The parameters between which a piece turns one way only, by less than half a turn: its ends, its
-/// inflections (roots of B' x B'', a quadratic polynomial for a cubic Bezier) and the eighths.
+/// The parameters between which a piece turns in one direction only, by less than half a turn: its
+/// ends, its inflections (roots of B' x B'', a quadratic polynomial for a cubic Bezier) and the
+/// eighths.
 template <class P>
 auto turning_intervals(const P& piece) {
   std::array<double, 11> t{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1, 1, 1};
@@ -95,19 +96,19 @@ auto turning_intervals(const P& piece) {
 
 }  // namespace detail
 
-/// Length, turning and curvature of a curve; the clearances are left alone.
+/// Length, turning and curvature of a curve; clearances stay unset.
 inline PathMetrics measure(const Curve& curve) {
   PathMetrics metrics;
   metrics.length = curve.length();
   detail::TurnCounter turns(metrics);
-  Point heading = Point::Zero();  // at the end of what lies behind
-  double bend = 0;                // the curvature there
+  Point heading = Point::Zero();  // at the end of the previous pieces
+  double bend = 0;                // their curvature there
   for (const Piece& any : curve.pieces()) {
     any.visit([&](const auto& piece) {
       using P = std::decay_t<decltype(piece)>;
       if (detail::is_zero(piece.start_direction())) return;  // a single point
       if (!detail::is_zero(heading)) {
-        turns.joint(turn_angle(heading, piece.start_direction()));
+        turns.corner(turn_angle(heading, piece.start_direction()));
         const double jump = std::abs(curvature(piece, 0) - bend);
         metrics.max_curvature_jump = std::max(metrics.max_curvature_jump, jump);
       }
@@ -138,7 +139,7 @@ inline PathMetrics measure(const Curve& curve) {
   return metrics;
 }
 
-/// The same, with the least clearance as certified.
+/// The same, with the certified minimum clearance.
 inline PathMetrics measure(const Curve& curve, const Certificate& certificate) {
   PathMetrics metrics = measure(curve);
   metrics.min_clearance = certificate.lower;
@@ -147,8 +148,8 @@ inline PathMetrics measure(const Curve& curve, const Certificate& certificate) {
 
 namespace detail {
 
-/// The mean clearance over arc length [m], by 256 exact clearances: on a large grid that takes many
-/// times as long as the search. \pre the curve is not empty
+/// The mean clearance over arc length [m], from 256 exact clearances. On a large grid this takes
+/// many times as long as the search. \pre the curve is not empty
 template <ClearanceSpace S>
 double mean_clearance(const S& space, const Curve& curve) {
   constexpr std::size_t samples = 256;

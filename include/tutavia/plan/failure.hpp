@@ -14,7 +14,7 @@
 #include "tutavia/plan/statistics.hpp"
 
 /// \file
-/// Failures are data: a code for programs, a detail for people.
+/// Failure: a code for programs and a detail for people.
 
 namespace tutavia {
 
@@ -24,17 +24,17 @@ enum class PlanError {
   goal_blocked,               ///< the goal does
   start_out_of_bounds,        ///< the start lies outside the workspace
   goal_out_of_bounds,         ///< the goal does
-  unreachable,                ///< proved: the space has no path
-  unreachable_at_resolution,  ///< the lattice has no path; a finer one may have
+  unreachable,                ///< proved: there is no path
+  unreachable_at_resolution,  ///< no path on the lattice; a finer one may have one
   not_proved,                 ///< a path was found, but its safety could not be proved
-  budget_exhausted,           ///< out of time or expansions
+  budget_exhausted,           ///< the deadline or the limit of expansions was reached
   cancelled,                  ///< stopped on request
-  invalid_option,             ///< an option has no meaning; the detail names it
-  invalid_input,              ///< the input is broken; the detail names object and index
-  limit_exceeded,             ///< the request is too large; the detail says needed and allowed
+  invalid_option,             ///< an option is out of range; the detail names it
+  invalid_input,              ///< the input is malformed; the detail names object and index
+  limit_exceeded,             ///< the request is too large; the detail has needed and allowed sizes
 };
 
-/// The code's name, as it stands in result files: "start_blocked", ...
+/// The name of the code, as in result files: "start_blocked", ...
 constexpr std::string_view to_string(PlanError code) {
   switch (code) {
     case PlanError::start_blocked:
@@ -67,22 +67,22 @@ constexpr std::string_view to_string(PlanError code) {
 
 namespace detail {
 
-/// The code of a query that its budget has ended.
+/// The code for a query that its budget ended.
 constexpr PlanError to_error(Budget::End end) {
   return end == Budget::End::cancelled ? PlanError::cancelled : PlanError::budget_exhausted;
 }
 
 }  // namespace detail
 
-/// Why there is no plan, and what is known about it.
+/// The reason why there is no plan, with details.
 struct Failure {
   PlanError code = PlanError::invalid_input;
   std::string detail{};  ///< one line for people
   /// start_blocked and goal_blocked: the signed clearance there [m]
   std::optional<double> clearance{};
-  /// start_blocked and goal_blocked: index of the obstacle that is nearest there
+  /// start_blocked and goal_blocked: index of the nearest obstacle
   std::optional<std::size_t> obstacle{};
-  /// start_blocked and goal_blocked: the nearest point of free space, where one was found
+  /// start_blocked and goal_blocked: the nearest point of free space, if found
   std::optional<Eigen::Vector2d> nearest_safe_point{};
   Statistics stats{};
 };
@@ -93,7 +93,7 @@ inline std::ostream& operator<<(std::ostream& out, const Failure& failure) {
   return out;
 }
 
-/// Short for the error side of an Expected: `return fail(PlanError::unreachable, "...")`.
+/// Makes the error of an Expected: `return fail(PlanError::unreachable, "...")`.
 inline Unexpected<Failure> fail(PlanError code, std::string detail = {}) {
   Failure failure;
   failure.code = code;

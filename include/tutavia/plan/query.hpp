@@ -8,11 +8,11 @@
 #include "tutavia/geometry/point.hpp"
 
 /// \file
-/// Query: what a searcher is asked.
+/// Query: the input of a searcher.
 
 namespace tutavia {
 
-/// From where to where, and at what expense. A goal that is left out is an `invalid_input`.
+/// Start, goal and budget of one search. A missing start or goal is `invalid_input`.
 struct Query {
   Point start{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   Point goal{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};

@@ -5,15 +5,15 @@
 #include "tutavia/plan/statistics.hpp"
 
 /// \file
-/// Route: what a searcher returns.
+/// Route: the result of a searcher.
 
 namespace tutavia {
 
 /// A curve from start to goal, both exact, inside free space.
 struct Route {
   Curve curve{};
-  double cost =
-      0;  ///< what the search minimised; the length [m] unless the searcher says otherwise
+  /// The minimised cost: the length [m], unless the searcher documents another one.
+  double cost = 0;
   Statistics stats{};
 };
 

@@ -4,11 +4,11 @@
 #include <cstdint>
 
 /// \file
-/// Statistics: what one planning query cost.
+/// Statistics: the effort of one planning query.
 
 namespace tutavia {
 
-/// What one query cost. Counts are exact and repeatable; times are wall-clock microseconds.
+/// The effort of one query. Counts are exact and reproducible; times are wall-clock microseconds.
 struct Statistics {
   std::uint64_t expanded = 0;   ///< nodes taken from the open list and expanded
   std::uint64_t generated = 0;  ///< labels created or improved

@@ -7,7 +7,7 @@
 #include <string_view>
 
 /// \file
-/// Numbers as bytes of a file, the low byte first on every machine.
+/// append_bytes and read_bytes: numbers as bytes of a file, the low byte first on every machine.
 
 namespace tutavia::detail {
 
@@ -16,7 +16,7 @@ inline void append_bytes(std::string& bytes, std::uint64_t value, int count) {
   for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xFF);
 }
 
-/// The number that `count` bytes from a position on stand for. \pre they are there
+/// The number that `count` bytes from a position on represent. \pre the bytes exist
 inline std::uint64_t read_bytes(std::string_view bytes, std::size_t from, int count) {
   std::uint64_t value = 0;
   for (int i = count; i-- > 0;) {

@@ -2,9 +2,9 @@
 #pragma once
 
 /// \file
-/// What compilers offer beyond the standard, where they do.
+/// Compiler extensions, with portable fallbacks.
 
-/// For small functions in inner loops that compilers take for too large.
+/// For small functions in inner loops that compilers do not inline by themselves.
 #if defined(__GNUC__)
 #define TUTAVIA_ALWAYS_INLINE [[gnu::always_inline]] inline
 #else
@@ -13,7 +13,7 @@
 
 namespace tutavia::detail {
 
-/// Says that memory is going to be written (or read) soon.
+/// Prefetches memory that will soon be written or read.
 inline void prefetch([[maybe_unused]] const void* memory) {
 #if defined(__GNUC__)
   __builtin_prefetch(memory, 1);

@@ -12,9 +12,9 @@
 
 namespace tutavia::detail {
 
-/// Does what `make_body()` gives for every index below `count`, in `threads` threads (0: one per
-/// core), this one among them. Each thread makes a body of its own, and takes the next index when
-/// it has done one. An exception in a body ends the program.
+/// Calls `body(i)` for every index i below `count`, on `threads` threads (0: one per core)
+/// including the calling one. Each thread makes its own `body` with `make_body()`, and takes the
+/// next index when it finishes one. An exception in a body terminates the program.
 template <class MakeBody>
 void for_each_in_parallel(std::size_t count, unsigned threads, const MakeBody& make_body) {
   std::atomic<std::size_t> next{0};

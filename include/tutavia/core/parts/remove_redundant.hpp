@@ -6,13 +6,13 @@
 #include <vector>
 
 /// \file
-/// remove_redundant: the forward scan that drops the nodes a path can do without.
+/// remove_redundant: a forward scan that removes redundant nodes of a path.
 
 namespace tutavia::detail {
 
-/// Drops nodes of a path where the one before sees the one after: from each node kept it steps
-/// forward while `sees(kept, next)` holds, and keeps the last node seen. The path gets no longer;
-/// it need not become the shortest of its kind. O(n) lines of sight. Source: the redundant-node
+/// Removes nodes of a path whose neighbours see each other: from each kept node it advances while
+/// `sees(kept, next)` holds, and keeps the last node seen. The path never becomes longer, but need
+/// not be the shortest of its homotopy class. O(n) lines of sight. Source: the redundant-node
 /// removal of Yang et al., "Improved A* based on fused Theta*".
 template <class Node, std::predicate<const Node&, const Node&> Sees>
 void remove_redundant(std::vector<Node>& path, const Sees& sees) {

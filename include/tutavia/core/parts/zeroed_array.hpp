@@ -8,13 +8,13 @@
 #include <type_traits>
 
 /// \file
-/// ZeroedArray: memory that is paid for where it is written.
+/// ZeroedArray: a zeroed array that occupies memory only where it is written.
 
 namespace tutavia::detail {
 
-/// A fixed number of elements, all zero bits at first. Large arrays come from the system as
-/// untouched pages, so what is never written costs no memory: labels of a search over a huge grid
-/// take space in proportion to the part that was searched. Throws std::bad_alloc.
+/// A fixed number of elements, initially all zero bits. The system provides large arrays as
+/// untouched pages, so unwritten parts occupy no memory: the labels of a search over a huge grid
+/// take space in proportion to the searched part. Throws std::bad_alloc.
 template <class T>
 class ZeroedArray {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
