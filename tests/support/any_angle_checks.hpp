@@ -12,11 +12,11 @@
 #include "tutavia/space/cell_space.hpp"
 
 /// \file
-/// What the searches of the family of Theta* must do.
+/// Checks for the searches of the Theta* family.
 
 namespace tutavia::test {
 
-/// Where A* finds a path, so does `algorithm`; in free space, and about as short at most.
+/// Whenever A* finds a path, so does `algorithm`: in free space, and hardly longer.
 template <class A>
 void check_any_angle_search(const A& algorithm, std::uint64_t seed, double largest_ratio) {
   Random random(seed);

@@ -10,15 +10,15 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// For every concept of a space one that has its operations and no others, so that an algorithm
-/// which asks for more than its constraint says does not compile. All are the same world: a box
-/// without obstacles, its nodes a metre apart.
+/// One minimal model per space concept, with exactly its operations. An algorithm that uses more
+/// than its constraint requires does not compile with it. All models are the same world: a box
+/// without obstacles, with nodes a metre apart.
 
 namespace tutavia::test {
 
 inline constexpr int archetype_side = 8;  // of the box [m]
 
-/// Models FreeSpace, and cannot be copied: no algorithm may.
+/// Models FreeSpace. It is not copyable, because no algorithm may copy a space.
 class FreeArchetype {
  public:
   FreeArchetype() = default;

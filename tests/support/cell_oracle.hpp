@@ -13,7 +13,7 @@
 #include "tutavia/space/cell_space.hpp"
 
 /// \file
-/// What CellSpace has to answer, found by brute force in integers: quarters of a cell.
+/// Expected results of CellSpace, by brute force in integers: quarters of a cell.
 
 namespace tutavia::test {
 
@@ -27,7 +27,7 @@ inline bool is_blocked(const OccupancyGrid& grid, int x, int y) {
 struct Place {
   std::int64_t x, y;
 };
-/// A rectangle in the same units; an edge where it has no width or no height.
+/// A rectangle in the same units; an edge if its width or height is 0.
 struct Rectangle {
   std::int64_t x0, y0, x1, y1;
   friend bool operator==(const Rectangle&, const Rectangle&) = default;
@@ -43,7 +43,8 @@ inline std::int64_t turn(Place a, Place b, Place c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Whether the closed segment a-b meets a rectangle, or its inside, by separating lines.
+/// Whether the closed segment a-b meets a rectangle, or its interior (`inside`), by separating
+/// axes.
 inline bool meets(const Rectangle& r, Place a, Place b, bool inside) {
   const auto apart = [&](std::int64_t p, std::int64_t q, std::int64_t low, std::int64_t high) {
     return inside ? std::max(p, q) <= low || std::min(p, q) >= high
@@ -57,7 +58,7 @@ inline bool meets(const Rectangle& r, Place a, Place b, bool inside) {
   return inside ? *least < 0 && *most > 0 : *least <= 0 && *most >= 0;
 }
 
-/// The squared distance of a point from a closed segment, and of that from a closed rectangle.
+/// The squared distance between a point and a closed segment.
 inline Fraction to_segment(Place p, Place a, Place b) {
   const std::int64_t ux = b.x - a.x, uy = b.y - a.y, vx = p.x - a.x, vy = p.y - a.y;
   const std::int64_t along = ux * vx + uy * vy, square = ux * ux + uy * uy;
@@ -69,6 +70,7 @@ inline Fraction to_segment(Place p, Place a, Place b) {
   return {area * area, square};
 }
 
+/// The squared distance between a closed segment and a closed rectangle.
 inline Fraction to_rectangle(const Rectangle& r, Place a, Place b) {
   if (meets(r, a, b, false)) return {0, 1};
   const auto from_end = [&](Place p) {
@@ -81,14 +83,14 @@ inline Fraction to_rectangle(const Rectangle& r, Place a, Place b) {
                    to_segment({r.x1, r.y1}, a, b)});
 }
 
-/// An edge of a blocked cell that no other one shares, with its names.
+/// An edge of a blocked cell that no other blocked cell shares, with its numbers.
 struct CellEdge {
   Rectangle line;
   std::uint32_t cell;
   std::uint32_t side;
 };
 
-/// What the blocked cells of a map block, in integers.
+/// The blocked cells of a map as rectangles, in integers.
 class Squares {
  public:
   explicit Squares(const OccupancyGrid& map) : width_(4 * map.width()), height_(4 * map.height()) {
@@ -124,8 +126,9 @@ class Squares {
   }
 
   std::vector<Rectangle> cells;
-  /// Rectangles whose open insides together are the inside of all that is blocked, what lies beyond
-  /// the grid counted as blocked: cells, pairs that share an edge, and fours that share a corner.
+  /// Rectangles whose open interiors together are the interior of the blocked region, with the
+  /// outside of the grid counted as blocked: cells, pairs that share an edge, and groups of four
+  /// that share a corner.
   std::vector<Rectangle> insides;
   std::vector<CellEdge> edges;
 
@@ -137,7 +140,7 @@ class Squares {
     return std::any_of(insides.begin(), insides.end(),
                        [&](const Rectangle& r) { return meets(r, a, b, true); });
   }
-  /// From the segment to the nearest blocked cell; huge where there is none.
+  /// From the segment to the nearest blocked cell; huge if there is none.
   Fraction squared_clearance(Place a, Place b) const {
     Fraction least{std::int64_t{1} << 40, 1};
     for (const Rectangle& r : cells) least = std::min(least, to_rectangle(r, a, b));
@@ -148,14 +151,14 @@ class Squares {
     for (const CellEdge& e : edges) least = std::min(least, to_rectangle(e.line, a, b));
     return least;
   }
-  /// Free space as it is documented.
+  /// Free space by its definition.
   bool is_free(Place a, Place b, const Rational& squared_radius) const {
     if (squared_radius == 0) return !inside_meets(a, b);
     const Fraction clearance = squared_clearance(a, b);
     return Rational(clearance.n) >= squared_radius * clearance.d;
   }
 
-  /// On lines of the grid, on centres, or anywhere among the quarters.
+  /// A point on grid lines, on centres, or on any quarters.
   Place random_place(Random& random) const {
     const auto coordinate = [&](std::int64_t size) {
       const auto any =
@@ -166,7 +169,7 @@ class Squares {
     const std::int64_t x = coordinate(width_);
     return {x, coordinate(height_)};
   }
-  /// A single point, or along a line, or slanted by 45 degrees or by anything.
+  /// A single point, or a segment that is axis-parallel, at 45 degrees, or of any slope.
   std::pair<Place, Place> random_segment(Random& random) const {
     const Place a = random_place(random);
     Place b = random_place(random);
@@ -192,7 +195,7 @@ class Squares {
   std::int64_t height_;
 };
 
-/// A place's point, exactly.
+/// The exact point of a place.
 inline Point point_at(const CellSpace& space, Place place) {
   const double unit = space.frame().resolution / 4;
   const Point corner = space.bounds().min;
@@ -206,7 +209,7 @@ inline Rational squared_radius(const CellSpace& space) {
   return ratio * ratio;
 }
 
-/// A point's place, for points on quarters.
+/// The place of a point on quarters.
 inline std::pair<std::int64_t, std::int64_t> place_of(const CellSpace& space, const Point& p) {
   const double unit = space.frame().resolution / 4;
   const Point corner = space.bounds().min;

@@ -5,13 +5,13 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// Blocked cells as polygons.
+/// world_of_cells: blocked cells as polygons.
 
 namespace tutavia::test {
 
-/// The same free space with polygons: a rectangle for every run of blocked cells. At radius 0,
-/// where such rectangles alone would leave a slit between two rows, there are also rectangles over
-/// two rows; and what lies beyond the map counts as blocked.
+/// The same free space with polygons: a rectangle for every run of blocked cells. At radius 0 such
+/// rectangles alone would leave a slit between two rows, so there are also rectangles over two
+/// rows, and the outside of the map counts as blocked.
 inline Workspace world_of_cells(const CellSpace& space) {
   Workspace world{.bounds = space.bounds(), .safety_radius = space.safety_radius()};
   const OccupancyGrid& map = space.cells();
@@ -23,7 +23,7 @@ inline Workspace world_of_cells(const CellSpace& space) {
     for (int x = -1; x <= map.width(); ++x) {
       const int first = x;
       while (x <= map.width() && solid(x, y) && solid(x, y + rows - 1)) ++x;
-      if (x == first || first >= map.width() || x <= 0) continue;  // nothing of the map
+      if (x == first || first >= map.width() || x <= 0) continue;  // no cell of the map
       const Point low = space.corner({first, y}), high = space.corner({x, y + rows});
       world.obstacles.push_back(Polygon{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}});
     }

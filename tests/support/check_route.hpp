@@ -10,11 +10,11 @@
 #include "tutavia/plan/route.hpp"
 
 /// \file
-/// Whether a route costs what it should.
+/// check_route: checks the cost of a route.
 
 namespace tutavia::test {
 
-/// Checks one answer against the length of the explicit graph: the same within `tolerance`, and a
+/// Checks one result against the length in the explicit graph: equal within `tolerance`, and a
 /// route in free space from start to goal.
 template <class S>
 void check_route(const S& space, const Query& query, const Expected<Route, Failure>& route,

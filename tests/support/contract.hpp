@@ -14,27 +14,27 @@
 #include "tutavia/space/lattice_space.hpp"
 
 /// \file
-/// What the contracts of searchers and smoothers have in common.
+/// The common parts of the contracts of searchers and smoothers.
 
 namespace tutavia::test {
 
-/// Which robots an algorithm plans for: a point has safety radius 0, a disc a positive one.
+/// The robots for which an algorithm plans: a point has safety radius 0, a disc a positive one.
 enum class Robot { any, point, disc };
 
-/// A clause of a contract that was broken, and where first.
+/// A broken clause of a contract, and the first place where it broke.
 struct Breach {
   std::string clause;
   std::string place;
 };
 
-/// Collects the clauses that an algorithm breaks, each of them once.
+/// Collects the clauses that an algorithm breaks, each once.
 class Breaches {
  public:
-  /// Names the place where the clauses that follow are tried.
+  /// Names the place of the checks that follow.
   void at(std::string place) { place_ = std::move(place); }
   const std::string& place() const { return place_; }
 
-  /// Records the clause if it was not kept, and says whether it was.
+  /// Records the clause if it was broken. Returns `kept`.
   bool check(bool kept, std::string_view clause) {
     if (!kept && !has(clause)) list_.push_back({std::string(clause), place_});
     return kept;
@@ -53,7 +53,7 @@ class Breaches {
   std::vector<Breach> list_;
 };
 
-/// Calls `visit(type, name)` for each kind of space on which the contracts are tried, its type as a
+/// Calls `visit(type, name)` for each kind of space that the contracts cover, with its type as a
 /// std::type_identity.
 template <class Visit>
 void for_each_kind_of_space(const Visit& visit) {
@@ -62,7 +62,7 @@ void for_each_kind_of_space(const Visit& visit) {
   visit(std::type_identity<InflatedSpace>{}, "InflatedSpace");
 }
 
-/// Fails the running test for every breach; `algorithm` and `space` name what was tried.
+/// Fails the running test for every breach; `algorithm` and `space` are names for the message.
 inline void report(const Breaches& breaches, std::string_view algorithm, std::string_view space) {
   INFO(algorithm << " on " << space);
   for (const Breach& breach : breaches.list()) {

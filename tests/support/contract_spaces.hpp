@@ -26,18 +26,18 @@
 #include "tutavia/world/maps.hpp"
 
 /// \file
-/// The spaces of every kind on which contracts are tried, and the judges of what comes back.
+/// The spaces for contract tests, and independent judges of the results.
 
 namespace tutavia::test {
 
-/// A space and the same free space in polygons, which only the judges see.
+/// A space, and the same free space as polygons for the judges.
 template <class S>
 struct Arena {
   S space;
   Workspace world;
 };
 
-/// Cells of a world, blocked where their centres are inside an obstacle.
+/// The cells of a world, blocked if their centres are inside an obstacle.
 inline OccupancyGrid cells_of(const Workspace& world, double resolution) {
   const auto space = InflatedSpace::build(world).value();
   const auto count = [&](double size) { return static_cast<int>(std::lround(size / resolution)); };
@@ -52,13 +52,13 @@ inline OccupancyGrid cells_of(const Workspace& world, double resolution) {
   return grid;
 }
 
-/// The safety radius for a robot where a world has `radius`.
+/// The safety radius for a robot in a world with `radius`.
 inline double radius_for(Robot robot, double radius, double resolution) {
   if (robot == Robot::point) return 0;
   return robot == Robot::disc && radius == 0 ? resolution / 4 : radius;
 }
 
-/// The arena of a world, with nodes or cells of a size where the space has them.
+/// The arena of a world; `resolution` is the size of nodes or cells, if the space has them.
 template <class S>
 Arena<S> arena(Workspace world, double resolution, Robot robot) {
   world.safety_radius = radius_for(robot, world.safety_radius, resolution);
@@ -76,12 +76,12 @@ Arena<S> arena(Workspace world, double resolution, Robot robot) {
   }
 }
 
-/// The built-in maps that contracts are tried on.
+/// The built-in maps for contract tests.
 inline std::vector<Scene> contract_scenes() {
   return {maps::array(), maps::complex(), maps::maze()};
 }
 
-/// Draws arenas of one kind, and queries in them whose ends may be blocked.
+/// Draws random arenas of one kind, and queries in them whose ends may be blocked.
 template <class S>
 class RandomArenas {
  public:
@@ -106,7 +106,7 @@ class RandomArenas<CellSpace> {
  public:
   RandomArenas(std::uint64_t seed, Robot robot) : random_(seed), robot_(robot) {}
 
-  /// Every third safety radius is 0, the others reach up to a cell; some are exactly half of one.
+  /// Every third safety radius is 0; the others are at most one cell, some exactly half a cell.
   Arena<CellSpace> next() {
     constexpr double sizes[] = {1, 0.25, 0.1, 0.05};
     const Point origins[] = {{0, 0}, {-12.3, 4.7}, {1000.5, -2000}};
@@ -121,7 +121,7 @@ class RandomArenas<CellSpace> {
     Workspace world = world_of_cells(space);
     return {std::move(space), std::move(world)};
   }
-  /// Half of the ends lie off the centres.
+  /// Half of the ends are not at cell centres.
   Query query(const Arena<CellSpace>& arena) {
     Query query = random_query(random_, arena.space);
     for (Point* end : {&query.start, &query.goal}) {
@@ -137,7 +137,7 @@ class RandomArenas<CellSpace> {
   Robot robot_;
 };
 
-/// The route of A* through an arena; where the space has no grid, on a lattice.
+/// The route of A* through an arena, on a lattice if the space has no grid.
 template <class S>
 Expected<Route, Failure> grid_route(const Arena<S>& arena, const Query& query) {
   AStar::Scratch scratch;
@@ -152,7 +152,7 @@ Expected<Route, Failure> grid_route(const Arena<S>& arena, const Query& query) {
   }
 }
 
-/// A world with the obstacles alone that can block something in `box`.
+/// A world with only the obstacles that can block something in `box`.
 inline Workspace near(const Workspace& world, const Box& box) {
   Workspace result = world;
   const Box reach =
@@ -171,7 +171,7 @@ inline Workspace near(const Workspace& world, const Box& box) {
   return result;
 }
 
-/// Checks what must hold for every curve that an algorithm returns between two points.
+/// Checks the clauses for every curve that an algorithm returns between two points.
 template <class S>
 void check_curve(Breaches& breaches, const Arena<S>& arena, const Curve& curve, const Point& start,
                  const Point& goal, int samples) {

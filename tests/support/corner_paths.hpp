@@ -13,8 +13,9 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// The rules of the Grid-Based Path Planning Competition for paths of a point among blocked cells,
-/// in integers, and the shortest such path by a visibility graph. Shares no code with the searches.
+/// The rules of the Grid-Based Path Planning Competition for paths of a point robot among blocked
+/// cells, in integers, and the shortest such path by a visibility graph. Shares no code with the
+/// searches.
 
 namespace tutavia::test {
 
@@ -28,7 +29,7 @@ inline Half corner_of(Cell cell) { return {2 * std::int64_t{cell.x}, 2 * std::in
 inline Half centre_of(Cell cell) {
   return {2 * std::int64_t{cell.x} + 1, 2 * std::int64_t{cell.y} + 1};
 }
-/// The start of a curve and the ends of its pieces, on cells of side 1 with the origin at 0.
+/// The waypoints of a curve, on cells of side 1 with the origin at 0.
 inline std::vector<Half> joints_in_halves(const Curve& curve) {
   const auto half = [](const Point& p) {
     return Half{std::llround(2 * p.x()), std::llround(2 * p.y())};
@@ -52,7 +53,7 @@ class CornerRules {
     return !grid_.contains(cell) || !grid_.is_free(cell);
   }
 
-  /// A lattice point where two blocked cells touch by a corner alone.
+  /// Whether two blocked cells touch at this lattice point only.
   bool is_double_corner(Half p) const {
     if (p.x % 2 != 0 || p.y % 2 != 0) return false;
     const bool ne = blocked(p.x / 2, p.y / 2), nw = blocked(p.x / 2 - 1, p.y / 2);
@@ -60,13 +61,13 @@ class CornerRules {
     return (ne && sw && !nw && !se) || (nw && se && !ne && !sw);
   }
 
-  /// Whether a segment meets no inside of a blocked cell, does not run between two blocked cells
-  /// and passes no double corner between its ends.
+  /// Whether a segment avoids the interiors of blocked cells, does not run between two blocked
+  /// cells, and passes no double corner between its ends.
   bool allows(Half a, Half b) const {
     const std::int64_t x0 = std::min(a.x, b.x), x1 = std::max(a.x, b.x);
     const std::int64_t y0 = std::min(a.y, b.y), y1 = std::max(a.y, b.y);
     if (x0 < 0 || y0 < 0 || x1 > 2 * grid_.width() || y1 > 2 * grid_.height()) return false;
-    // Columns within reach of the segment in a row of cells, generously.
+    // A generous range of columns near the segment in a row of cells.
     const auto columns = [&](std::int64_t y) {
       if (a.y == b.y) return std::pair{x0 / 2 - 1, x1 / 2 + 1};
       const auto at = [&](std::int64_t level) {

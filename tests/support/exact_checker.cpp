@@ -68,7 +68,7 @@ class ExactChecker::Judge {
     }
   }
 
-  /// Whether boxes alone show that a piece within `box` keeps clear of a part, with room to spare.
+  /// Whether boxes prove that a piece within `box` keeps clear of a part, with a wide margin.
   bool is_far(const Part& part, const Box& box) const {
     const double reach = (part.radius + r_) * (1 + 1e-9) + 1e-9 * (1 + box.largest_coordinate());
     return std::max(part.a.x(), part.b.x()) + reach < box.min.x() ||
@@ -95,8 +95,8 @@ class ExactChecker::Judge {
     return number;
   }
 
-  /// Whether the open inside of some polygon holds the point.
-  bool is_swallowed(const Vector& p) const {
+  /// Whether the open interior of some polygon contains the point.
+  bool is_inside_some_polygon(const Vector& p) const {
     for (const Obstacle& obstacle : world_.obstacles) {
       const Polygon* polygon = std::get_if<Polygon>(&obstacle);
       if (polygon == nullptr) continue;
@@ -148,11 +148,11 @@ class ExactChecker::Judge {
         return ExactVerdict::blocked;
       }
     }
-    return is_swallowed(p) ? ExactVerdict::blocked : ExactVerdict::free;
+    return is_inside_some_polygon(p) ? ExactVerdict::blocked : ExactVerdict::free;
   }
 
   /// Safety radius 0: no point of the segment is inside a polygon or a disc. The segment is cut
-  /// where it meets edges, and a point of every part is looked at.
+  /// where it meets edges, and one point of every part is tested.
   ExactVerdict check_contact(const Segment& s, const Vector& p, const Vector& q) const {
     std::vector<Q> cuts{0, 1};
     const Vector d = minus(q, p);
@@ -174,7 +174,7 @@ class ExactChecker::Judge {
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     for (std::size_t i = 0; i < cuts.size(); ++i) {
       const Q t = i + 1 < cuts.size() ? Q((cuts[i] + cuts[i + 1]) / 2) : cuts[i];
-      if (is_swallowed({p.x + t * d.x, p.y + t * d.y})) return ExactVerdict::blocked;
+      if (is_inside_some_polygon({p.x + t * d.x, p.y + t * d.y})) return ExactVerdict::blocked;
     }
     return ExactVerdict::free;
   }
@@ -242,7 +242,7 @@ class ExactChecker::Judge {
       if (verdict == ExactVerdict::blocked) return verdict;
       if (!is_far(part, box)) verdict = worse(verdict, keeps(x, y, part, 0));
     }
-    if (is_swallowed(exact(bezier.points.front()))) return ExactVerdict::blocked;
+    if (is_inside_some_polygon(exact(bezier.points.front()))) return ExactVerdict::blocked;
     return verdict;
   }
 
@@ -276,7 +276,7 @@ class ExactChecker::Judge {
     const bool before = all(along, -1, false), after = all(shifted(along, -length), 1, false);
     const bool contact = r_ == 0 && part.radius == 0;
     bool clear = false;
-    if (contact) {  // no meeting at all
+    if (contact) {  // may not meet at all
       clear = all(aside, 1, true) || all(aside, -1, true) || all(along, -1, true) ||
               all(shifted(along, -length), 1, true);
       if (length == 0)
@@ -301,9 +301,8 @@ class ExactChecker::Judge {
     return first == ExactVerdict::blocked ? first : worse(first, keeps(x1, y1, part, depth + 1));
   }
 
-  /// Arcs by their numbers (centre, radius, angles) in a hundred digits; anything within 1e-60 of a
-  /// tie is unknown. The ends as stored may differ from the circle by rounding and are checked as
-  /// points.
+  /// Arcs by centre, radius and angles, in a hundred digits; anything within 1e-60 of a tie is
+  /// unknown. The stored ends may be off the circle by rounding and are checked as points.
   ExactVerdict check_piece(const Arc& arc) const {
     ExactVerdict verdict =
         worse(check_piece(Segment{arc.a, arc.a}), check_piece(Segment{arc.b, arc.b}));
@@ -339,23 +338,23 @@ class ExactChecker::Judge {
         const F ex = x - ax - t * dx, ey = y - ay - t * dy;
         return F(sqrt(ex * ex + ey * ey));
       };
-      const auto look = [&](const F& x, const F& y) {  // the arc's point in this direction
+      const auto consider = [&](const F& x, const F& y) {  // the arc's point in this direction
         const F norm = sqrt(x * x + y * y);
         if (norm > 0 && covers(x, y))
           require(to_part(radius * x / norm, radius * y / norm) - least);
       };
       require(to_part(radius * cos(from), radius * sin(from)) - least);
       require(to_part(radius * cos(from + sweep), radius * sin(from + sweep)) - least);
-      look(ax, ay);
-      look(bx, by);
+      consider(ax, ay);
+      consider(bx, by);
       if (length > 0) {
         const F height = (ax * dy - ay * dx) / length, ux = dx / length, uy = dy / length;
-        look(uy, -ux);
-        look(-uy, ux);
+        consider(uy, -ux);
+        consider(-uy, ux);
         if (abs(height) <= radius) {
           const F half = sqrt(radius * radius - height * height);
-          look(height * uy + half * ux, -height * ux + half * uy);
-          look(height * uy - half * ux, -height * ux - half * uy);
+          consider(height * uy + half * ux, -height * ux + half * uy);
+          consider(height * uy - half * ux, -height * ux - half * uy);
         }
       }
       if (verdict == ExactVerdict::blocked) return verdict;
@@ -363,13 +362,13 @@ class ExactChecker::Judge {
     return verdict;
   }
 
-  struct Place {
+  struct Location {
     F x, y;
   };
 
-  /// The clothoid's place at arc length s, by the power series of its direction: with
-  /// exp(i (k s + c s^2 / 2)) = sum a_n s^n, (n + 1) a_(n+1) = i (k a_n + c a_(n-1)).
-  static Place place(const Clothoid& clothoid, const F& s) {
+  /// The point of the clothoid at arc length s, by the power series of its direction: with exp(i (k
+  /// s + c s^2 / 2)) = sum a_n s^n, (n + 1) a_(n+1) = i (k a_n + c a_(n-1)).
+  static Location location(const Clothoid& clothoid, const F& s) {
     const F k = clothoid.start_curvature, c = clothoid.sharpness;
     F re = 1, im = 0, re_before = 0, im_before = 0;  // a_n s^n and a_(n-1) s^(n-1)
     F x = 0, y = 0;
@@ -388,15 +387,15 @@ class ExactChecker::Judge {
             F(clothoid.a.y()) + s * (x * sine + y * cosine)};
   }
 
-  static F to_segment(const Place& p, const Place& a, const Place& b) {
+  static F to_segment(const Location& p, const Location& a, const Location& b) {
     const F dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
     F t = square > 0 ? F(((p.x - a.x) * dx + (p.y - a.y) * dy) / square) : F(0);
     t = t < 0 ? F(0) : t > 1 ? F(1) : t;
     const F ex = p.x - a.x - t * dx, ey = p.y - a.y - t * dy;
     return sqrt(ex * ex + ey * ey);
   }
-  static F between(const Place& p, const Place& q, const Place& a, const Place& b) {
-    const auto side = [](const Place& u, const Place& v, const Place& w) {
+  static F between(const Location& p, const Location& q, const Location& a, const Location& b) {
+    const auto side = [](const Location& u, const Location& v, const Location& w) {
       return F((v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x));
     };
     if (side(p, q, a) * side(p, q, b) < 0 && side(a, b, p) * side(a, b, q) < 0) return 0;
@@ -404,33 +403,34 @@ class ExactChecker::Judge {
         {to_segment(p, a, b), to_segment(q, a, b), to_segment(a, p, q), to_segment(b, p, q)});
   }
 
-  /// Clothoids by their numbers in a hundred digits, by halving: a part of length h is within
-  /// k h^2 / 8 of its chord for the largest curvature k. Closer than 1e-30 to a tie is unknown. The
-  /// end as stored is checked as a point.
+  /// Clothoids by their parameters, in a hundred digits, by halving: a part of length h is within k
+  /// h^2 / 8 of its chord for the largest curvature k. Closer than 1e-30 to a tie is unknown. The
+  /// stored end is checked as a point.
   ExactVerdict check_piece(const Clothoid& clothoid) const {
     ExactVerdict verdict = worse(check_piece(Segment{clothoid.a, clothoid.a}),
                                  check_piece(Segment{clothoid.b, clothoid.b}));
     const F length = clothoid.arc_length, k0 = abs(F(clothoid.start_curvature));
     const F k1 = abs(F(clothoid.start_curvature) + F(clothoid.sharpness) * length);
     const F bend = k0 > k1 ? k0 : k1;
-    const Place first = place(clothoid, 0), last = place(clothoid, length);
+    const Location first = location(clothoid, 0), last = location(clothoid, length);
     const Box& b = world_.bounds;
-    const auto inside = [&](const Place& p, const F& margin) {
+    const auto inside = [&](const Location& p, const F& margin) {
       return p.x - b.min.x() >= margin && p.y - b.min.y() >= margin && b.max.x() - p.x >= margin &&
              b.max.y() - p.y >= margin;
     };
-    const auto halve = [&](const auto& again, const auto& judge, const Place& p, const F& from,
-                           const Place& q, const F& to) -> ExactVerdict {
+    const auto halve = [&](const auto& again, const auto& judge, const Location& p, const F& from,
+                           const Location& q, const F& to) -> ExactVerdict {
       const F deviation = bend * (to - from) * (to - from) / 8;
       const ExactVerdict here = judge(p, q, deviation);
       if (here != ExactVerdict::unknown || deviation < F("1e-30")) return here;
       const F middle = (from + to) / 2;
-      const Place m = place(clothoid, middle);
+      const Location m = location(clothoid, middle);
       const ExactVerdict left = again(again, judge, p, from, m, middle);
       if (left == ExactVerdict::blocked) return left;
       return worse(left, again(again, judge, m, middle, q, to));
     };
-    const auto in_bounds_throughout = [&](const Place& p, const Place& q, const F& deviation) {
+    const auto in_bounds_throughout = [&](const Location& p, const Location& q,
+                                          const F& deviation) {
       if (!inside(p, 0) || !inside(q, 0)) return ExactVerdict::blocked;
       const bool clear = inside(p, deviation) && inside(q, deviation);
       return clear ? ExactVerdict::free : ExactVerdict::unknown;
@@ -441,9 +441,9 @@ class ExactChecker::Judge {
     for (const Part& part : parts_) {
       if (verdict == ExactVerdict::blocked) return verdict;
       if (is_far(part, hull)) continue;
-      const Place u{F(part.a.x()), F(part.a.y())}, v{F(part.b.x()), F(part.b.y())};
+      const Location u{F(part.a.x()), F(part.a.y())}, v{F(part.b.x()), F(part.b.y())};
       const F least = F(part.radius) + F(r_);
-      const auto keeps_off = [&](const Place& p, const Place& q, const F& deviation) {
+      const auto keeps_off = [&](const Location& p, const Location& q, const F& deviation) {
         if (to_segment(p, u, v) < least || to_segment(q, u, v) < least) {
           return ExactVerdict::blocked;
         }

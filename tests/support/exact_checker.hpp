@@ -7,13 +7,13 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// An independent judge of paths: rational arithmetic for segments and Beziers, a hundred digits
-/// for arcs and clothoids. It shares the types with the library, and no computation.
+/// ExactChecker: an independent judge of paths: rational arithmetic for segments and Beziers, a
+/// hundred digits for arcs and clothoids. It shares types with the library, but no computation.
 
 namespace tutavia::test {
 
 /// `free`: every point keeps the safety radius and the bounds. `blocked`: some point does not.
-/// `unknown`: a tie that subdivision cannot settle (a curve that touches a zone exactly).
+/// `unknown`: a tie that subdivision cannot decide (a curve that touches a zone exactly).
 enum class ExactVerdict { free, blocked, unknown };
 
 class ExactChecker {

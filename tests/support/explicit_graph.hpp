@@ -15,12 +15,12 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// Cheapest paths on a grid by an explicit list of edges in doubles: slow, plain, and independent
+/// Cheapest paths on a grid by an explicit list of edges in doubles: slow, simple, and independent
 /// of the library's searches and tables.
 
 namespace tutavia::test {
 
-/// Whether a step is allowed, straight from the definition of the movement rules.
+/// Whether a step is allowed, by the definition of the movement rules.
 inline bool may_step(const OccupancyGrid& grid, Cell from, int dx, int dy, MovementRule rule) {
   const auto free = [&](Cell c) { return grid.contains(c) && grid.is_free(c); };
   if (!free(from) || !free(from + Cell{dx, dy})) return false;
@@ -39,9 +39,9 @@ inline bool may_step(const OccupancyGrid& grid, Cell from, int dx, int dy, Movem
   return false;
 }
 
-/// Length of a cheapest path by steps and links, in metres: the sum of the steps' lengths (times
-/// 1 + mean surcharge / 32), plus `turn_penalty` for every radian turned between steps. Nothing
-/// where there is no path.
+/// Length of a cheapest path by steps and links, in metres: the sum of the steps' lengths (times 1
+/// + mean extra cost / 32), plus `turn_penalty` for every radian turned between steps. Empty if
+/// there is no path.
 template <class S>
 std::optional<double> explicit_cost(const S& space, const Query& query,
                                     const CellCosts* costs = nullptr, double turn_penalty = 0) {
@@ -53,7 +53,7 @@ std::optional<double> explicit_cost(const S& space, const Query& query,
     return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(grid.width()) +
            static_cast<std::size_t>(c.x);
   };
-  const std::size_t headings = turn_penalty > 0 ? 9 : 1;  // the last: none
+  const std::size_t headings = turn_penalty > 0 ? 9 : 1;  // the last one: no heading
   std::vector<double> best(headings * cells, std::numeric_limits<double>::infinity());
   std::vector<double> exit(cells, std::numeric_limits<double>::infinity());
   for (const EndpointLink& link : space.links(query.goal)) exit[at(link.cell)] = link.length;

@@ -6,7 +6,7 @@
 #include "tutavia/plan/route.hpp"
 
 /// \file
-/// Whether a route keeps to free space.
+/// Whether a route lies in free space.
 
 namespace tutavia::test {
 

@@ -29,7 +29,7 @@ inline std::vector<Point> outline(const Curve& curve) {
   return points;
 }
 
-/// How often a closed polyline goes round a point.
+/// The winding number of a closed polyline around a point.
 inline long winding(const std::vector<Point>& loop, const Point& p) {
   double sum = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -39,8 +39,8 @@ inline long winding(const std::vector<Point>& loop, const Point& p) {
   return std::lround(sum / (2 * std::numbers::pi));
 }
 
-/// Whether the loop of one curve and the other one backwards goes round no obstacle. (What two
-/// curves of one homotopy class always fulfil.)
+/// Whether the loop along one curve and back along the other winds around no obstacle, as it does
+/// for any two curves of one homotopy class.
 inline bool winds_around_nothing(const Workspace& world, const Curve& a, const Curve& b) {
   std::vector<Point> loop = outline(a), back = outline(b);
   loop.insert(loop.end(), back.rbegin(), back.rend());

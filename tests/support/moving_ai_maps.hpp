@@ -14,7 +14,7 @@
 #include "tutavia/space/cell_space.hpp"
 
 /// \file
-/// The MovingAI maps, where they are to be had.
+/// The MovingAI maps, if they are installed.
 
 namespace tutavia::test {
 
@@ -30,7 +30,7 @@ struct MovingAiMap {
 };
 
 /// Calls `visit(map)` for every map of the folder, by name, with `count` rows of its scenario,
-/// evenly strided. Returns false where there is no folder; the test is then reported as skipped.
+/// evenly strided. Returns false without a folder; the test is then reported as skipped.
 template <class Visit>
 bool for_each_moving_ai_map(std::size_t count, Visit visit) {
   const char* folder = moving_ai_folder();

@@ -14,7 +14,7 @@
 #include "tutavia/space/cell_space.hpp"
 
 /// \file
-/// Grids that stand for those of papers which print none.
+/// Substitute grids for papers that publish none.
 
 namespace tutavia::test {
 
@@ -25,7 +25,7 @@ inline nlohmann::json read_data(const std::string& name) {
   return nlohmann::json::parse(file);
 }
 
-/// A grid of rows of characters, of which # is blocked.
+/// A grid from rows of characters; # is blocked.
 inline OccupancyGrid to_grid(const nlohmann::json& rows) {
   const auto text = rows.get<std::vector<std::string>>();
   const auto width = static_cast<int>(text.at(0).size());
@@ -40,14 +40,14 @@ inline OccupancyGrid to_grid(const nlohmann::json& rows) {
 
 }  // namespace detail
 
-/// A grid with a question for it.
+/// A grid with a query.
 struct PaperTask {
   CellSpace space;
   Query query;
 };
 
 /// The grids of one set of the SSA-A* paper ("cluster_20" ... "random_50"): from cell (0, 0) to the
-/// last cell, corners may be cut.
+/// last cell; corners may be cut.
 inline std::vector<PaperTask> ssa_tasks(const std::string& set) {
   const auto sets = detail::read_data("ssa_grids.json");
   std::vector<PaperTask> tasks;
@@ -61,7 +61,7 @@ inline std::vector<PaperTask> ssa_tasks(const std::string& set) {
   return tasks;
 }
 
-/// A grid that stands for map A, B or C of the paper "Improved REA*", without its safety buffer.
+/// A substitute for map A, B or C of the paper "Improved REA*", without its safety buffer.
 struct ReaMap {
   std::string name;
   OccupancyGrid grid;
@@ -71,7 +71,7 @@ struct ReaMap {
     const std::array ends{start, goal};
     return with_safety_buffer(grid, ends).value();
   }
-  /// With the buffer, as the paper has it.
+  /// The task with the buffer, as in the paper.
   PaperTask task() const {
     auto space = CellSpace::build(buffered().grid).value();
     const Query query{.start = space.frame().point(start), .goal = space.frame().point(goal)};

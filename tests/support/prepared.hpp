@@ -7,11 +7,11 @@
 #include "tutavia/search/concepts.hpp"
 
 /// \file
-/// Searches that need something prepared for the space, where no_observer prepares it.
+/// PreparedEachTime: a search that prepares its tables itself.
 
 namespace tutavia::test {
 
-/// A search whose first option is prepared for the space, anew for every query.
+/// A search whose first option is prepared for the space at every query.
 template <class A>
 struct PreparedEachTime {
   static constexpr std::string_view name = A::name;

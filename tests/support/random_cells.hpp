@@ -18,7 +18,7 @@
 #include "tutavia/space/cell_space.hpp"
 
 /// \file
-/// Maps of cells as text, and random ones at every kind of radius and resolution.
+/// Cell maps from text, and random ones with all kinds of radii and resolutions.
 
 namespace tutavia::test {
 
@@ -37,8 +37,8 @@ inline OccupancyGrid draw(const std::vector<std::string>& rows) {
   return grid;
 }
 
-/// Scattered cells and blocks of them; every now and then none, or all. Large maps are wider than a
-/// word; they have few blocked cells, or few free ones.
+/// Scattered blocked cells and blocks; sometimes none or all. Large maps are wider than a word,
+/// with few blocked or few free cells.
 inline OccupancyGrid random_map(Random& random, bool large = false) {
   const int width = 1 + static_cast<int>(random.below(9)) + (large ? 55 : 0);
   const int height = 1 + static_cast<int>(random.below(large ? 40 : 9));
@@ -63,7 +63,7 @@ inline OccupancyGrid random_map(Random& random, bool large = false) {
   return grid;
 }
 
-/// Somewhere: sizes and origins that are binary fractions, and such that are not.
+/// Random sizes and origins, binary fractions and others.
 inline CellOptions random_options(Random& random) {
   constexpr double sizes[] = {1, 0.5, 0.25, 0.05, 0.1, 3, 1e-3};
   const Point origins[] = {{0, 0}, {-12.3, 4.7}, {1000.5, -2000}, {-3, 1e4 / 3}};
@@ -72,8 +72,8 @@ inline CellOptions random_options(Random& random) {
           .movement = all_rules[random.below(4)]};
 }
 
-/// A radius for cells of this size: none; a multiple of a quarter, or next to it; a distance of
-/// corners; anything.
+/// A radius for cells of this size: 0, a multiple of a quarter or a neighbouring double, a distance
+/// between corners, or any other.
 inline double random_radius(Random& random, double side) {
   const auto n = static_cast<double>(1 + random.below(8));
   switch (random.below(6)) {
@@ -99,7 +99,7 @@ inline CellSpace random_space(Random& random, const OccupancyGrid& map, bool at_
   return CellSpace::build(map, options).value();
 }
 
-/// A box with its corners on quarters, beyond the grid every now and then.
+/// A box with its corners on quarters, sometimes beyond the grid.
 inline std::pair<Place, Place> random_box(Random& random, const Squares& squares) {
   const Place a = squares.random_place(random), b = squares.random_place(random);
   const std::int64_t more = random.below(5) == 0 ? 6 : 0;
@@ -107,12 +107,12 @@ inline std::pair<Place, Place> random_box(Random& random, const Squares& squares
           {std::max(a.x, b.x) + more, std::max(a.y, b.y) + more}};
 }
 
-/// How many random maps are tried, and of what kinds.
+/// The number and kinds of random maps.
 struct CellTrials {
   std::uint64_t seed;
   std::size_t rounds;
-  std::size_t large_every = 0;       ///< every how many rounds the map is large; 0: never
-  std::size_t at_contact_every = 0;  ///< every how many rounds the safety radius is 0 for sure
+  std::size_t large_every = 0;       ///< the map is large once in so many rounds; 0: never
+  std::size_t at_contact_every = 0;  ///< the safety radius is 0 once in so many rounds
 };
 
 struct CellTrial {
@@ -122,7 +122,7 @@ struct CellTrial {
   Squares squares;
 };
 
-/// Calls check(trial) for random maps and spaces of them, the same ones for the same seed.
+/// Calls check(trial) for random maps and their spaces, the same ones for the same seed.
 template <class Check>
 void on_random_cells(const CellTrials& trials, const Check& check) {
   const auto is_due = [](std::size_t round, std::size_t every) {

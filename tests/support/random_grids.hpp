@@ -7,7 +7,7 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// Random grids with everything that makes searching hard.
+/// Random grids with all difficulties for searches.
 
 namespace tutavia::test {
 
@@ -56,7 +56,7 @@ inline OccupancyGrid random_grid(Random& random, int largest) {
   return grid;
 }
 
-/// A free cell (in a corner every now and then), or any cell where none is found soon.
+/// A free cell (sometimes in a corner), or any cell if none is found soon.
 inline Cell random_cell(Random& random, const OccupancyGrid& grid) {
   Cell cell{};
   for (int attempt = 0; attempt < 20; ++attempt) {

@@ -5,7 +5,7 @@
 #include "tutavia/plan/query.hpp"
 
 /// \file
-/// Questions on grids.
+/// Random queries on grids.
 
 namespace tutavia::test {
 

@@ -34,7 +34,7 @@ inline std::optional<Task> random_task(WorldGenerator& worlds) {
   return task;
 }
 
-/// A box around a route and all that can come into the zone along it.
+/// A box around a route and all obstacles whose zones can reach it.
 inline Box surroundings(const std::vector<Point>& route, double safety_radius) {
   Box box;
   for (const Point& p : route) box.include(p);

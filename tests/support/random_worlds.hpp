@@ -11,12 +11,12 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// Random worlds with everything that makes geometry hard.
+/// Random worlds with all difficulties for geometry.
 
 namespace tutavia::test {
 
 /// Draws obstacles: convex and star-shaped polygons, holes, discs, crossing rings, slivers without
-/// area and single points; flipped, closed twice, with repeated points; overlapping as it happens.
+/// area and single points; flipped, closed twice, with repeated points; overlapping at random.
 class WorldGenerator {
  public:
   explicit WorldGenerator(std::uint64_t seed) : random_(seed) {}
@@ -38,7 +38,7 @@ class WorldGenerator {
     return world;
   }
 
-  /// A point of the world's bounds, on its border or on the snapping lattice every now and then.
+  /// A point within the world's bounds, sometimes on their border or on the snapping lattice.
   Point point(const Workspace& world) {
     const Box& b = world.bounds;
     Point p{random_.uniform(b.min.x(), b.max.x()), random_.uniform(b.min.y(), b.max.y())};
@@ -46,7 +46,7 @@ class WorldGenerator {
     return snapped_ ? snap(p).cwiseMax(b.min).cwiseMin(b.max) : p;
   }
 
-  /// One more obstacle of a world just drawn, snapped if that is.
+  /// One more obstacle for the last world, snapped if that world is.
   Obstacle obstacle(const Box& bounds) {
     const double size = bounds.width() * random_.uniform(0.02, 0.2);
     const Point centre{random_.uniform(bounds.min.x(), bounds.max.x()),
@@ -82,7 +82,7 @@ class WorldGenerator {
     }
   }
 
-  /// The place for a vertex of a world just drawn: on the lattice, if that is snapped.
+  /// The vertex for the last world: on the lattice if that world is snapped.
   Point snap(const Point& p) const {
     return snapped_ ? Point(std::round(2 * p.x()) / 2, std::round(2 * p.y()) / 2) : p;
   }
@@ -90,7 +90,7 @@ class WorldGenerator {
   Random& random() { return random_; }
 
  private:
-  /// A ring around `centre` at random rising angles, radii between those given.
+  /// A ring around `centre` at random increasing angles, with radii in the given range.
   Ring ring(const Point& centre, std::pair<double, double> radii, double start,
             std::uint64_t count) {
     Ring points;
@@ -104,7 +104,7 @@ class WorldGenerator {
     return finish(std::move(points));
   }
 
-  /// Snaps and spoils a ring in the ways that readers let through.
+  /// Snaps a ring and adds the irregularities that readers accept.
   Ring finish(Ring points) {
     for (Point& p : points) p = snap(p);
     if (random_.below(3) == 0) std::reverse(points.begin(), points.end());

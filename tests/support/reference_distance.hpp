@@ -10,7 +10,7 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// Distances by brute force in long double, without the library's index or geometry.
+/// Distances by brute force in long double, independent of the library's index and geometry.
 
 namespace tutavia::test {
 

@@ -5,11 +5,11 @@
 #include <cstdlib>
 
 /// \file
-/// How long random tests run.
+/// scaled: the length of random tests.
 
 namespace tutavia::test {
 
-/// `count` rounds times TUTAVIA_TEST_SCALE (1 where it is not set; 100 makes a soak).
+/// `count` rounds times TUTAVIA_TEST_SCALE (default 1; 100 for a soak test).
 inline std::size_t scaled(std::size_t count) {
   const char* text = std::getenv("TUTAVIA_TEST_SCALE");
   const double scale = text == nullptr ? 1.0 : std::atof(text);

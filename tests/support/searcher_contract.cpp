@@ -32,7 +32,7 @@ namespace {
 
 using Answer = Expected<Route, Failure>;
 
-/// Tries the clauses of the contract one by one.
+/// Checks the clauses of the contract one by one.
 template <class S>
 class SearcherTrial {
  public:
@@ -181,7 +181,7 @@ class SearcherTrial {
                     "a query without a route fails for a reason that holds");
   }
 
-  /// Whether the code names an end that is free, and from which no node can be reached.
+  /// Whether the code names an end that is free but not linked to any node.
   static bool is_off_grid(const S& space, const Query& query, PlanError code) {
     if constexpr (LinkedSpace<S>) {
       if (code == PlanError::start_blocked) return space.links(query.start).empty();

@@ -15,14 +15,14 @@
 #include "tutavia/world/scene.hpp"
 
 /// \file
-/// What every searcher must do, on every kind of space; one line in a test file tries it.
+/// The contract of every searcher, on every kind of space; a test file needs one line.
 
 namespace tutavia::test {
 
 /// A wall in the middle of a square, with room to pass on both sides.
 const Scene& open_scene();
 
-/// Runs one query with scratch of its own.
+/// Runs one query with its own scratch memory.
 template <class A, class S>
 Expected<Route, Failure> search_once(const A& algorithm, const S& space, const Query& query) {
   typename A::Scratch scratch;
@@ -30,19 +30,19 @@ Expected<Route, Failure> search_once(const A& algorithm, const S& space, const Q
   return algorithm.search(space, query, scratch, no_observer);
 }
 
-/// Whether a search can know that there is no path.
+/// Whether a search can prove that there is no path.
 enum class Completeness { proves_that_there_is_none, gives_up };
 
-/// What a search does with a start or goal, or a gap, that is exactly at the safety radius.
+/// Whether a search handles a start, a goal or a gap exactly at the safety radius.
 enum class Ties { decided, not_proved };
 
-/// What a searcher promises beside the contract's clauses.
+/// The promises of a searcher beyond the contract's clauses.
 struct SearcherPromise {
   Completeness completeness = Completeness::proves_that_there_is_none;
   Robot robot = Robot::any;
   Ties ties = Ties::decided;
-  /// The least share of those random queries that A* answers with a route which it must answer,
-  /// too; a third of all random queries it must answer in any case.
+  /// The minimum share of random queries solved by A* that the searcher must solve, too. It must
+  /// also solve a third of all random queries.
   double found = 1;
 };
 
@@ -53,7 +53,7 @@ Breaches broken_clauses(const AnySearch<S>& search, const SearcherPromise& promi
 /// The contract on all kinds of spaces on which the algorithm runs.
 template <class A>
 void searcher_contract(const A& algorithm, const SearcherPromise& promise = {}) {
-  static_assert(Searcher<A, CellSpace>);  // as every search of the library
+  static_assert(Searcher<A, CellSpace>);  // as for every search of the library
   for_each_kind_of_space([&]<class S>(std::type_identity<S>, std::string_view space) {
     if constexpr (Searcher<A, S>) {
       report(broken_clauses(erase_search<S>(algorithm), promise), A::name, space);

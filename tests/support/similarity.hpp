@@ -8,7 +8,7 @@
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// Worlds and paths turned, moved and scaled.
+/// Similarity: worlds and paths rotated, translated and scaled.
 
 namespace tutavia::test {
 
@@ -31,7 +31,7 @@ struct Similarity {
     for (Point& p : points) p = (*this)(p);
     return points;
   }
-  /// Bounds become the box around what they are, far out, so that they play no part.
+  /// Bounds become a box far outside the transformed ones, so that they have no effect.
   Workspace operator()(const Workspace& world) const {
     Workspace result{.bounds = {}, .safety_radius = scale * world.safety_radius};
     const Box wide = world.bounds.inflated(2 * (world.bounds.width() + world.bounds.height()));

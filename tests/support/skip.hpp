@@ -6,11 +6,11 @@
 #include "support/catch.hpp"
 
 /// \file
-/// Tests that need what is not there report themselves as skipped.
+/// Skips tests whose data is missing.
 
 namespace tutavia::test {
 
-inline constexpr int skip_code = 4;  // as CMakeLists.txt tells ctest
+inline constexpr int skip_code = 4;  // as in CMakeLists.txt
 
 inline bool& any_skipped() {
   static bool value = false;

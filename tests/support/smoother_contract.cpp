@@ -15,7 +15,7 @@ namespace tutavia::test {
 
 namespace {
 
-/// Tries the clauses of the contract one by one.
+/// Checks the clauses of the contract one by one.
 template <class S>
 class SmootherTrial {
  public:
@@ -42,7 +42,7 @@ class SmootherTrial {
     }
   }
 
-  /// Everything that holds for any curve that is proved free.
+  /// Checks the clauses for a curve that is proved free.
   void smooths(const Arena<S>& world, const Curve& input) {
     const auto output = smoother_.smooth(world.space, input, Budget{});
     if (!breaches_.check(output.has_value(), "a curve that is free is smoothed")) return;

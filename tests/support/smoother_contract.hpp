@@ -12,15 +12,15 @@
 #include "tutavia/space/lattice_space.hpp"
 
 /// \file
-/// What every smoother must do, on every kind of space; one line in a test file tries it.
+/// The contract of every smoother, on every kind of space; a test file needs one line.
 
 namespace tutavia::test {
 
-/// What a smoother does with a budget that is cancelled or exhausted: one that does nothing at all
-/// may ignore it.
+/// Whether a smoother respects a cancelled or exhausted budget; one that does nothing may ignore
+/// it.
 enum class BudgetUse { reported, ignored };
 
-/// What a smoother promises beside the contract's clauses.
+/// The promises of a smoother beyond the contract's clauses.
 struct SmootherPromise {
   double longest = 1;  ///< bound of the result's length, as a multiple of the input's
   Robot robot = Robot::any;
@@ -34,7 +34,7 @@ Breaches broken_clauses(const AnySmoother<S>& smoother, const SmootherPromise& p
 /// The contract on all kinds of spaces on which the algorithm runs.
 template <class A>
 void smoother_contract(const A& smoother, const SmootherPromise& promise = {}) {
-  static_assert(Smoother<A, CellSpace>);  // as every smoother of the library
+  static_assert(Smoother<A, CellSpace>);  // as for every smoother of the library
   for_each_kind_of_space([&]<class S>(std::type_identity<S>, std::string_view space) {
     if constexpr (Smoother<A, S>) {
       report(broken_clauses(erase_smoother<S>(smoother), promise), A::name, space);

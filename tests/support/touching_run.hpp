@@ -7,7 +7,7 @@
 #include "tutavia/space/lattice_space.hpp"
 
 /// \file
-/// A straight run that is free as a whole, but not in rounded steps.
+/// A straight run that is free as a whole, although its rounded steps are not.
 
 namespace tutavia::test {
 

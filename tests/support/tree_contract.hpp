@@ -20,7 +20,7 @@
 #include "tutavia/world/maps.hpp"
 
 /// \file
-/// What every search that grows trees at random must do beside the searcher contract.
+/// The contract of searches with random trees, beyond that of searchers.
 
 namespace tutavia::test {
 
@@ -36,8 +36,8 @@ inline std::uint64_t fingerprint(const detail::TwoTreesScratch& scratch) {
   return fingerprint(scratch.from_start) ^ fingerprint(scratch.from_goal) << 1;
 }
 
-/// The scenes that trees are tried on: those of the RRT* paper for a point and for a robot, and the
-/// built-in maps.
+/// The scenes for trees: those of the RRT* paper, for a point and for a disc, and the built-in
+/// maps.
 inline std::vector<Scene> sampling_scenes() {
   std::vector<Scene> scenes{maps::rrt_scene_1(), maps::rrt_scene_2(), maps::array(),
                             maps::complex(), maps::maze()};
@@ -49,7 +49,7 @@ inline std::vector<Scene> sampling_scenes() {
   return scenes;
 }
 
-/// Collects better paths as they come.
+/// Records the improved paths of a search.
 struct Improvements : NoObserver {
   std::vector<double> costs;
   Curve last;
@@ -94,7 +94,7 @@ void check_tree_options(const A& algorithm, const InflatedSpace& space, const Qu
   }
 }
 
-/// The clauses of the contract for searches that grow trees at random.
+/// The clauses of the contract of searches with random trees.
 template <class A>
 class TreeTrial {
  public:
@@ -232,11 +232,11 @@ class TreeTrial {
   typename A::Scratch used_;
 };
 
-/// `golden` is the fingerprint of the trees on the maze with seed 7: on every compiler the same,
-/// unless that joins multiplications with additions.
+/// `golden` is the fingerprint of the trees on the maze with seed 7. It is the same on every
+/// compiler without fused multiply-add.
 template <class A>
 void tree_contract(const A& algorithm, std::uint64_t golden) {
-  // Samples miss a gap as wide as the robot: of 34 routes of A* among cells all trees find 32.
+  // Samples miss a gap as wide as the robot: of 34 routes of A* among cells, all trees find 32.
   searcher_contract(algorithm, {.completeness = Completeness::gives_up, .found = 0.9});
   TreeTrial<A>(algorithm, golden).run();
 }

@@ -9,11 +9,11 @@
 #include "tutavia/search/tree/search_tree.hpp"
 
 /// \file
-/// What holds for every tree of a sampling search, and its fingerprint.
+/// Invariants of every tree of a sampling search, and its fingerprint.
 
 namespace tutavia::test {
 
-/// Every node reaches the root by its parents, and its cost is the sum of the edges on the way.
+/// Every node reaches the root through its parents, and its cost is the sum of those edges.
 inline void check_tree(const detail::SearchTree& tree) {
   std::size_t wrong = 0;
   for (detail::SearchTree::Node node = 0; node < tree.size(); ++node) {

@@ -5,7 +5,7 @@
 
 /// \file
 /// TUTAVIA_ASSERT: checks preconditions of the caller, never input data. Define it before the first
-/// include to replace it. Define it before the first include to route it elsewhere.
+/// include to replace it.
 
 #ifndef TUTAVIA_ASSERT
 #define TUTAVIA_ASSERT(condition) assert(condition)
