@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Observers: what a search tells while it runs.
+// Observers: the events of a running search.
 
 #include <iostream>
 #include <tutavia/tutavia.hpp>
 
 using namespace tutavia;
 
-/// Models Observer, RectangleObserver and AnytimeObserver. A search calls what it finds.
+/// Models Observer, RectangleObserver and AnytimeObserver. A search calls the members that it
+/// supports.
 struct Counter {
   int nodes = 0, rectangles = 0, improvements = 0;
 

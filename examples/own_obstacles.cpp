@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plans among one's own polygons and discs, and follows the curve by arc length.
+// Your own obstacles: plans among polygons and discs, and samples the curve by arc length.
 
 #include <iostream>
 #include <tutavia/tutavia.hpp>

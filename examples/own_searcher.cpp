@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A searcher of one's own: tries random points to go round by. The planner proves what it finds.
+// Your own searcher: tries paths over one random via point. The planner proves the result.
 
 #include <array>
 #include <iostream>

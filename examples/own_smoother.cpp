@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Your own smoother: leaves out every second waypoint where that is safe. The planner proves the
-// result.
+// Your own smoother: drops every second waypoint if that is safe. The planner proves the result.
 
 #include <iostream>
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Your own space: a disc-shaped hall with a pillar, on whose cells every search on a grid runs.
+// Your own space: a round hall with a pillar, and a grid for every search on grids.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ class RoundHall {
   RoundHall() : grid_(OccupancyGrid::blocked(41, 41).value()) {
     for (int y = 0; y < 41; ++y) {
       for (int x = 0; x < 41; ++x) {
-        // Room for half a diagonal step on both sides makes every step safe.
+        // This clearance makes every step safe, see GridBuilder.
         const double clearance = clearance_at(frame_.point({x, y}));
         grid_.set({x, y}, clearance >= std::sqrt(radius * radius + 0.5 * 0.25 * 0.25));
       }
@@ -25,12 +25,12 @@ class RoundHall {
   const Box& bounds() const { return bounds_; }
   bool is_free(const Point& p) const { return clearance_at(p) >= radius; }
   bool segment_free(const Point& p, const Point& q) const {
-    // The hall is convex; beside the pillar the nearest point of the segment decides.
+    // The hall is convex, so its ends suffice; the pillar needs the distance of the whole segment.
     const Segment segment{p, q};
     return is_free(p) && is_free(q) && distance(Point(0, 0), segment) >= 1 + radius;
   }
 
-  // LinkedSpace: how a point is joined to the grid.
+  // LinkedSpace: the segments that join a point to the grid.
   const Frame& frame() const { return frame_; }
   EndpointLinks links(const Point& p) const {
     EndpointLinks links;
@@ -45,7 +45,7 @@ class RoundHall {
     return links;
   }
 
-  // GridSpace: the grid and the rule by which its cells are left.
+  // GridSpace: the grid and its movement rule.
   const OccupancyGrid& grid() const { return grid_; }
   MovementRule movement() const { return MovementRule::no_cut; }
 

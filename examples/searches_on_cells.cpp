@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every search on the cells of a map: what it is called, what it finds, what it costs.
+// Every search on the cells of a map: its name, the length of its path and its expansions.
 
 #include <iostream>
 #include <tutavia/tutavia.hpp>

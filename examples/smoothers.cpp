@@ -33,7 +33,7 @@ int main() {
   show(space, query, HomotopyRefine{});
   show(space, query, Pipeline{Shortcut{}, BezierSmoother{}});
 
-  // On the cells of a map, for a point: a path pulled taut.
+  // On the cells of a map, for a point robot: a path pulled taut.
   auto grid = OccupancyGrid::blocked(20, 20).value();
   for (int y = 0; y < 20; ++y) {
     for (int x = 0; x < 20; ++x) grid.set({x, y}, x != 10 || y >= 15);

@@ -6,11 +6,11 @@
 #include "tutavia/world/scene.hpp"
 
 /// \file
-/// Input: built-in maps, workspace files and grid maps, with what the command line overrides.
+/// Input: built-in maps, workspace files and grid maps, with overrides from the command line.
 
 namespace plan_program {
 
-/// A space with a start and goals to plan in it.
+/// A space with a start and goals.
 struct Task {
   Scene scene;  ///< of a grid map without its obstacles
   PlanningSpace space;

@@ -14,17 +14,17 @@
 
 namespace plan_program {
 
-/// Writes the result file, or prints it where the path is "-". Throws UsageError.
+/// Writes the result file, or prints it if the path is "-". Throws UsageError.
 void write_results(const std::string& path, const Scene& scene, const std::vector<Group>& groups);
 
 /// The file of --trace. It is written while the searches run and holds each search once, however
-/// many smoothers follow it. With an empty path it does nothing. Every member throws UsageError
-/// where the file cannot be written.
+/// many smoothers follow it. With an empty path it does nothing. Every member throws UsageError if
+/// the file cannot be written.
 class TraceFile {
  public:
   explicit TraceFile(const std::string& path);
 
-  /// Whether the results of a search go to the file; true for the first call with its name.
+  /// Whether the file takes the results of a search: true for the first call with its name.
   bool takes(const std::string& search);
   void write(const Scene& scene, const Result& result, const SearchRecord& record);
   void close();

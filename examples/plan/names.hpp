@@ -7,7 +7,7 @@
 #include "options.hpp"
 
 /// \file
-/// Names: the searches and smoothers that the command line chooses.
+/// Names: the searches and smoothers chosen on the command line.
 
 namespace plan_program {
 

@@ -30,7 +30,7 @@ void define_input_options(CLI::App& app, Arguments& args) {
       ->allow_extra_args(false);
   app.add_option("--radius", args.radius, "Safety radius in metres");
   app.add_option("--bounds", args.bounds, "Bounds as X0,Y0,X1,Y1 in metres");
-  app.add_flag("--strict", args.strict, "Refuse polygons that cross themselves");
+  app.add_flag("--strict", args.strict, "Reject polygons that cross themselves");
   app.add_option("--resolution", args.resolution, "Lattice spacing in metres");
 }
 
@@ -38,7 +38,7 @@ void define_planning_options(CLI::App& app, Arguments& args) {
   app.add_option("--search", args.search, "Search, or a comma list of them (any_angle: on grids)")
       ->capture_default_str();
   app.add_option("--smoother", args.smoother,
-                 "Smoother, or a comma list of them; A+B is a pipeline: B smooths what A made")
+                 "Smoother, or a comma list of them; A+B is a pipeline: B smooths the result of A")
       ->capture_default_str();
   app.add_option("--seed", args.seed, "Seed for searches that draw random numbers");
   app.add_option("--time-limit", args.time_limit, "Seconds per query");
@@ -47,8 +47,7 @@ void define_planning_options(CLI::App& app, Arguments& args) {
 void define_output_options(CLI::App& app, Arguments& args) {
   app.add_option("--json", args.json, "Write the results as JSON; - for stdout");
   app.add_option("--svg", args.svg, "Draw the plans");
-  app.add_option("--trace", args.trace,
-                 "Write what the searches did, a line of JSON for each step");
+  app.add_option("--trace", args.trace, "Write the events of the searches, one line of JSON each");
   app.add_flag("--compare", args.compare,
                "All searches with the smoother, and all smoothers with the search");
   app.add_flag("--list", args.list, "Print the names of searches and smoothers");

@@ -42,8 +42,8 @@ struct Arguments {
   bool prints_tables() const { return json != "-"; }
 };
 
-/// Reads the command line. Nothing where it asks for help, which is then printed. Without any
-/// option the picture goes to maze.svg. Throws UsageError.
+/// Reads the command line. For --help it prints the help and returns nothing. Without any option
+/// the picture goes to maze.svg. Throws UsageError.
 std::optional<Arguments> parse_command_line(int argc, const char* const* argv);
 
 /// The parts of a text between separators, including empty ones.

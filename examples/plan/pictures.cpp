@@ -14,7 +14,7 @@ namespace plan_program {
 
 namespace {
 
-/// A row's blocked cells from `first` to `last`; rows from `from_row` on have the same.
+/// A run of blocked cells from `first` to `last`, the same in all rows from `from_row` on.
 struct Run {
   int first, last, from_row;
 };

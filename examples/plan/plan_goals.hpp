@@ -13,7 +13,7 @@
 
 namespace plan_program {
 
-/// Plans every goal of the task, and writes the search to the trace if that does not have it yet.
+/// Plans every goal of the task. Writes the search to the trace if it is not there yet.
 /// \pre the names are known
 Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
                  const std::string& search, const std::string& smoother);

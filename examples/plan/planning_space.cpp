@@ -60,7 +60,7 @@ PlanQuery make_planner(const PlanningSpace& any_space, const std::string& search
   return std::visit(
       [&]<class S>(const S& space) -> PlanQuery {
         const Algorithms<S>& all = algorithms_on(space);
-        // std::function copies what it holds, scratch memory is not to be copied.
+        // std::function copies its target, but scratch memory is not copyable.
         const auto planner = std::make_shared<Planner<AnySearch<S>, AnySmoother<S>>>(
             find(all.searches, search), find_pipeline(all.smoothers, smoother));
         return [&space, planner](const Query& query, SearchRecord* record) {

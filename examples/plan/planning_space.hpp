@@ -14,7 +14,7 @@
 #include "tutavia/space/lattice_space.hpp"
 
 /// \file
-/// PlanningSpace: the operations of the program on both kinds of space.
+/// PlanningSpace: a common interface to both kinds of space.
 
 namespace plan_program {
 
@@ -27,13 +27,13 @@ using PlanningSpace = std::variant<LatticeSpace, CellSpace>;
 Names lattice_names();
 /// Every search and smoother for grid maps.
 Names cell_names();
-/// Those of the two lists that belongs to the space.
+/// The names for the kind of a space.
 Names known_names(const PlanningSpace& space);
 
 /// Plans one query. The record may be null.
 using PlanQuery = std::function<Expected<Plan, Failure>(const Query&, SearchRecord*)>;
 
-/// A planner with scratch memory of its own. It refers to the space, which must outlive it.
+/// A planner with its own scratch memory. It keeps a reference to the space.
 /// \pre the names are known
 PlanQuery make_planner(const PlanningSpace& space, const std::string& search,
                        const std::string& smoother);
@@ -44,7 +44,7 @@ double mean_clearance_of(const PlanningSpace& space, const Curve& curve);
 /// The length of the shortest path [m], at most `bound`; only for workspaces.
 std::optional<double> optimum_of(const PlanningSpace& space, const Query& query, double bound);
 
-/// The length of a route when pulled taut [m]; NaN where that fails.
+/// The length of a route when pulled taut [m]; NaN if that fails.
 double taut_length_of(const PlanningSpace& space, const Curve& route);
 
 /// The obstacle corners that the delta smoother treats as critical on a route.

@@ -19,7 +19,8 @@ struct Algorithms {
   std::vector<tutavia::AnySmoother<S>> smoothers;
 };
 
-/// Algorithms for workspaces. Each list is a source file of its own, the longest to compile.
+/// Algorithms for workspaces. Each list has its own source file, because it takes longest to
+/// compile.
 const Algorithms<tutavia::LatticeSpace>& lattice_algorithms();
 
 /// Algorithms for grid maps.

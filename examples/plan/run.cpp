@@ -75,7 +75,7 @@ int run(const Arguments& args) {
     print_names(cell_names());
     return 0;
   }
-  // Unknown names are refused before anything is loaded.
+  // Unknown names are rejected before any file is loaded.
   const Names chosen = choose(args, args.grid.empty() ? lattice_names() : cell_names());
   const Task task = load_task(args);
   if (args.prints_tables()) print_task(args, task);

@@ -4,12 +4,12 @@
 #include "options.hpp"
 
 /// \file
-/// run: the whole program behind its command line.
+/// run: the whole program after parsing the command line.
 
 namespace plan_program {
 
-/// Does what the command line asks for. Returns the exit code: 0 if every goal has a plan, else 1.
-/// Throws UsageError.
+/// Executes the command line. Returns the exit code: 0 if every goal has a plan, else 1. Throws
+/// UsageError.
 int run(const Arguments& args);
 
 }  // namespace plan_program

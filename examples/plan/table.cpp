@@ -34,7 +34,7 @@ std::string to_text(double value, int decimals) {
   return buffer.data();
 }
 
-/// The relative change as "-12.3 %"; "new" where only `before` is 0, "0.0 %" where both are.
+/// The relative change as "-12.3 %"; "new" if only `before` is 0, "0.0 %" if both are.
 std::string change(double before, double after) {
   if (before == 0 && after != 0) return "new";
   std::array<char, 32> buffer{};
@@ -57,9 +57,9 @@ struct Summary {
   double length = 0, turning_angle = 0, max_curvature = 0, max_joint_deflection = 0;
   double min_clearance = std::numeric_limits<double>::infinity();
   double mean_clearance = 0;  ///< mean over the goals
-  double taut_length = 0;     ///< NaN where a route cannot be pulled taut
+  double taut_length = 0;     ///< NaN if a route cannot be pulled taut
   double optimum = 0;         ///< sum over the plans with a known optimum
-  double travel_s = 0;        ///< with default SpeedLimits; NaN where a path cannot be driven
+  double travel_s = 0;        ///< with default SpeedLimits; NaN if no speed can follow a path
   std::size_t turning_points = 0, evaluations = 0, fell_back = 0, with_optimum = 0;
   Statistics stats{};
 

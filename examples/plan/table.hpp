@@ -16,7 +16,7 @@ namespace plan_program {
 /// Prints all names, for --list.
 void print_names(const Names& names);
 
-/// Prints what the task is, in front of the tables.
+/// Prints the task before the tables.
 void print_task(const Arguments& args, const Task& task);
 
 /// One row per goal, each figure with its change against the search's own route.
