@@ -102,9 +102,9 @@ class ClearanceInterval {
 
 /// Proves that the whole continuous curve lies within the bounds and keeps the space's safety
 /// radius from every obstacle, and encloses its clearance in an interval of width `epsilon` (or of
-/// the rounding error, where that is larger). A curve that comes closer than the safety radius
-/// anywhere is never `proved`; `violated` names such a point. The result is `undecided` for a curve
-/// that is empty or has a gap between two pieces, or if `budget` runs out.
+/// the rounding error, if larger). A curve that comes closer than the safety radius anywhere is
+/// never `proved`; `violated` names such a point. The result is `undecided` for a curve that is
+/// empty or has a gap between two pieces, or if `budget` runs out.
 template <ClearanceSpace S>
 Certificate certify(const S& space, const Curve& curve, const CertifyOptions& options = {},
                     const Budget& budget = {}) {

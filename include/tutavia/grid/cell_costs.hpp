@@ -16,7 +16,7 @@ namespace tutavia {
 /// is the mean of the two cells' values (at most 9 times its length).
 class CellCosts {
  public:
-  /// The factor between `step_cost` here and `detail::step_cost`; both are integers.
+  /// Units of `step_cost` per unit of `Cost` on a grid without extra costs; both are integers.
   static constexpr Cost scale = 64;
 
   /// No extra cost on any cell of a grid of this size.

@@ -31,8 +31,8 @@ inline bool run_is_free(const std::uint64_t* words, std::size_t first, std::uint
 /// Whether all cells are free that the segment between the centres of two cells touches (its
 /// supercover, including both cells beside every corner it passes through).
 ///
-/// Exact, with one look-up per row and 57 cells: the segment leaves row k at the column (dx (2 k +
-/// 1) + dy) / (2 dy), whose remainder says whether it leaves through a corner.
+/// Exact, with one look-up per row and 57 cells: the segment leaves row k at the column
+/// (dx (2 k + 1) + dy) / (2 dy), whose remainder tells whether it leaves through a corner.
 /// \pre both cells lie in the grid
 inline bool line_of_sight(const OccupancyGrid::View& grid, Cell a, Cell b) {
   if (a.y > b.y) std::swap(a, b);

@@ -137,7 +137,7 @@ Expected<OccupancyGrid, Failure> make_grid(std::span<const Value> values, int wi
 /// With occupancy = 1 - pixel / white, or pixel / white with `negate`:
 /// - trinary: 100 above `occupied_thresh`, 0 below `free_thresh`, unknown otherwise
 /// - scale: the same, but linear in between, rounded to whole numbers
-/// - raw: the pixel itself, on a scale where white is 255, up to 100; unknown above. `negate`
+/// - raw: the pixel itself, on a scale with white = 255, up to 100; unknown above. `negate`
 ///   changes nothing.
 ///
 /// This follows nav2 up to Humble and, in trinary mode, ROS 1. Later versions of nav2 treat a pixel

@@ -33,7 +33,7 @@ struct CellOptions {
 };
 
 /// The points of a grid's rectangle at `safety_radius` or more from every blocked cell, a closed
-/// square; and the grid of the cells whose centres are free.
+/// square; and the grid of the cells that a path may step on.
 ///
 /// At radius 0 the robot is a point. It may touch blocked cells and slide along them, but may not
 /// move along an edge that two blocked cells share, or that a blocked cell shares with the border
@@ -51,7 +51,7 @@ class CellSpace {
   /// or too far away for exact coordinates, or a negative radius.
   static Expected<CellSpace, Failure> build(OccupancyGrid cells, const CellOptions& options = {});
 
-  /// The grid of the cells whose centres are free.
+  /// The grid of the cells that a path may step on.
   const OccupancyGrid& grid() const { return layer_.grid(); }
   /// The map as given to `build`.
   const OccupancyGrid& cells() const { return cells_ ? *cells_ : layer_.grid(); }

@@ -72,10 +72,10 @@ concept ClearanceSpace = FreeSpace<S> &&
   { s.largest_coordinate() } -> std::same_as<double>;
 };
 
-/// A space that enumerates its obstacles' edges: `for_each_feature(box, visit)` calls `visit(core,
-/// radius)` for every edge (radius 0) and disc (a point with a radius) whose bounding box meets
-/// `box`, and perhaps for others. Edges form closed outlines, so every vertex is the start of one
-/// edge.
+/// A space that enumerates its obstacles' edges: `for_each_feature(box, visit)` calls
+/// `visit(core, radius)` for every edge (radius 0) and disc (a point with a radius) whose bounding
+/// box meets `box`, and perhaps for others. Edges form closed outlines, so every vertex is the
+/// start of one edge.
 ///
 /// A minimal model: tests/support/archetypes.hpp.
 template <class S>

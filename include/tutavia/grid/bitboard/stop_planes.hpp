@@ -18,7 +18,7 @@ namespace tutavia::detail {
 
 /// One bit per cell for each of the four straight directions. It is set if a jump in that direction
 /// stops at the cell, because the cell is blocked or has a forced neighbour under `no_cut` (a free
-/// cell beside it, behind a blocked one). A jump is then a search for the next set bit.
+/// cell beside it that follows a blocked one). A jump is then a search for the next set bit.
 ///
 /// The planes for east and west are stored row by row like the grid, those for north (+y) and south
 /// column by column. Source: the block-based scanning of Harabor and Grastien 2014, "Improving jump

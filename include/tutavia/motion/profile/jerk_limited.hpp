@@ -65,8 +65,7 @@ class WidenedLimits {
   /// Widens the limit of each interval, v, by `reach(v)` on both sides.
   template <class Reach>
   WidenedLimits(std::span<const SpeedInterval> intervals, const Reach& reach) {
-    using Event =
-        std::tuple<double, bool, double>;  // position, whether the limit ends there, limit
+    using Event = std::tuple<double, bool, double>;  // position, is it an end, limit
     std::vector<Event> events;
     double from = 0;
     for (const SpeedInterval& interval : intervals) {
