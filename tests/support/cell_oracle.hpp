@@ -52,8 +52,8 @@ inline bool meets(const Rectangle& r, Place a, Place b, bool inside) {
   };
   if (apart(a.x, b.x, r.x0, r.x1) || apart(a.y, b.y, r.y0, r.y1)) return false;
   if (a.x == b.x && a.y == b.y) return true;
-  const std::int64_t turns[] = {detail::turn(a, b, {r.x0, r.y0}), detail::turn(a, b, {r.x1, r.y0}),
-                                detail::turn(a, b, {r.x0, r.y1}), detail::turn(a, b, {r.x1, r.y1})};
+  const std::int64_t turns[] = {turn(a, b, {r.x0, r.y0}), turn(a, b, {r.x1, r.y0}),
+                                turn(a, b, {r.x0, r.y1}), turn(a, b, {r.x1, r.y1})};
   const auto [least, most] = std::minmax_element(std::begin(turns), std::end(turns));
   return inside ? *least < 0 && *most > 0 : *least <= 0 && *most >= 0;
 }
