@@ -14,7 +14,8 @@ The rules:
   - an umbrella per module includes every header for users, tutavia.hpp every umbrella, and nothing
     else includes one;
   - nothing includes Boost, and core/ not even Eigen;
-  - every header begins with the licence line and #pragma once.
+  - every header begins with the licence line and #pragma once;
+  - every algorithm and every concept for users names a program or a test that shows it.
 """
 
 import argparse
@@ -101,7 +102,7 @@ class Header:
 
     def public_names(self):
         """What the header declares in tutavia itself."""
-        code = re.sub(r"^namespace detail \{.*?^\}", "", self.code, flags=re.M | re.S)
+        code = re.sub(r"^namespace detail \{.*?^\}  // namespace detail", "", self.code, flags=re.M | re.S)
         return {name for match in DECLARED.finditer(code) for name in match.groups() if name}
 
 
@@ -216,6 +217,30 @@ def check_first_lines(headers):
             yield f"{header.name}: does not begin with the licence line and #pragma once"
 
 
+def check_examples(root, headers):
+    """The doc comment of an entity ends with `Example: examples/name.cpp.` or `A minimal model:`."""
+    entity = re.compile(r"((?:^///.*\n)*)(?:^template <.*>\n)?^(?:concept|struct) (\w+)([^;{]*[{;]\n"
+                        r"  static constexpr std::string_view name)?", re.M)
+    for header in headers.values():
+        if header.is_machinery:
+            continue
+        code = re.sub(r"^namespace detail \{.*?^\}  // namespace detail", "", header.text, flags=re.M | re.S)
+        for comment, name, algorithm in entity.findall(code):
+            is_concept = re.search(rf"^concept {name}\b", code, re.M) is not None
+            if not algorithm and not is_concept:
+                continue
+            shown = re.search(r"(?:Example|A minimal model): ((?:examples|tests)/[\w/]+\.[ch]pp)",
+                              comment)
+            if shown is None:
+                yield f"{header.name}: {name} names no program that shows it"
+            elif not re.search(rf"\b{name}\b", read_or_empty(root / shown[1])):
+                yield f"{header.name}: {shown[1]} does not show {name}"
+
+
+def read_or_empty(path):
+    return path.read_text() if path.exists() else ""
+
+
 def breaches(root):
     headers = read(root)
     yield from check_includes(headers)
@@ -224,6 +249,7 @@ def breaches(root):
     yield from check_public_names(root, headers)
     yield from check_umbrellas(headers)
     yield from check_first_lines(headers)
+    yield from check_examples(root, headers)
 
 
 def table():

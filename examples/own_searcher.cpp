@@ -33,6 +33,7 @@ struct ViaPoint {
 };
 
 int main() {
+  static_assert(tutavia::Searcher<ViaPoint, tutavia::InflatedSpace>);
   const tutavia::Scene scene = tutavia::maps::complex();
   const auto space = tutavia::InflatedSpace::build(scene.workspace).value();
   tutavia::Planner planner{ViaPoint{}};

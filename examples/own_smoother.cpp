@@ -25,6 +25,7 @@ struct EverySecond {
 };
 
 int main() {
+  static_assert(tutavia::Smoother<EverySecond, tutavia::LatticeSpace>);
   const tutavia::Scene scene = tutavia::maps::complex();
   const auto space =
       tutavia::LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}).value();

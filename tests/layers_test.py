@@ -22,7 +22,8 @@ class LayersTest(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.root = pathlib.Path(self.folder.name)
         self.addCleanup(self.folder.cleanup)
-        shutil.copytree(ROOT / "include", self.root / "include")
+        for folder in ("include", "examples", "tests/support"):
+            shutil.copytree(ROOT / folder, self.root / folder)
 
     def path(self, name):
         return self.root / "include/tutavia" / name
@@ -120,6 +121,14 @@ class LayersTest(unittest.TestCase):
     def test_first_lines(self):
         self.replace("core/random.hpp", "// SPDX-License-Identifier: MIT\n", "")
         self.assert_breach("core/random.hpp: does not begin with the licence line")
+
+    def test_algorithm_without_an_example(self):
+        self.replace("search/dijkstra.hpp", "/// Example: examples/searches_on_cells.cpp.\n", "")
+        self.assert_breach("search/dijkstra.hpp: Dijkstra names no program that shows it")
+
+    def test_example_that_does_not_show_it(self):
+        self.replace("search/dijkstra.hpp", "examples/searches_on_cells.cpp", "examples/smoothers.cpp")
+        self.assert_breach("search/dijkstra.hpp: examples/smoothers.cpp does not show Dijkstra")
 
 
 if __name__ == "__main__":
