@@ -59,7 +59,7 @@ TEST_CASE("deflection recovers the angle by which a vector was turned", "[geomet
   for (std::size_t round = 0; round < test::scaled(1000); ++round) {
     const double from = random.uniform(-pi, pi), turn = random.uniform(-3.14, 3.14);
     const double size = std::exp(random.uniform(-20, 20)), other = random.uniform(0.1, 10);
-    INFO("round " << round << " from " << from << " turn " << detail::turn << " size " << size);
+    INFO("round " << round << " from " << from << " turn " << turn << " size " << size);
     const Point a = size * Point(std::cos(from), std::sin(from));
     const Point b = other * Point(std::cos(from + turn), std::sin(from + turn));
     CHECK(turn_angle(a, b) == Approx(turn).margin(1e-14));

@@ -109,7 +109,7 @@ class BruteForce {
       for (std::size_t v = 0; v < ways_.size(); ++v) {
         if (ways_[v].from != ways_[w].to) continue;
         double turn = circle.side * turn_angle(ways_[w].way.direction, ways_[v].way.direction);
-        if (detail::turn < -1e-9) turn += 2 * pi;
+        if (turn < -1e-9) turn += 2 * pi;
         const double next = cost + circle.radius * std::fmax(turn, 0) + ways_[v].way.length;
         if (!(next < best[v]) || !is_free(circle, ways_[w].way.to, ways_[v].way.from, turn)) {
           continue;

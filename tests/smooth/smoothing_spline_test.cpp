@@ -101,7 +101,7 @@ TEST_CASE("a spline turns continuously, and its curvature nearly so") {
     const auto curve = smoother.smooth(space, input, {}).value();
     REQUIRE(is_one_spline(curve, points - 1));
     const auto [turn, bend] = largest_jumps(curve);
-    CHECK(detail::turn < 1e-9);
+    CHECK(turn < 1e-9);
     CHECK(bend < last / 3);
     last = bend;
   }

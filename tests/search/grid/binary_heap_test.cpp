@@ -25,7 +25,7 @@ TEST_CASE("the least key comes first, among equal ones the entry pushed last") {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
   while (!heap.empty()) {
     const auto entry = heap.pop();
-    order.emplace_back(entry.node, entry.note);
+    order.emplace_back(entry.node, entry.tag);
   }
   CHECK(order ==
         std::vector<std::pair<std::uint32_t, std::uint32_t>>{{3, 30}, {2, 20}, {4, 40}, {1, 10}});

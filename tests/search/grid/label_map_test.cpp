@@ -38,7 +38,7 @@ TEST_CASE("jump labels are what a map would hold, and those of earlier queries n
   LabelMap labels;
   for (std::size_t round = 0; round < test::scaled(300); ++round) {
     INFO("seed " << seed << ", round " << round);
-    labels.begin();
+    labels.reset();
     REQUIRE(labels.size() == 0);
     std::map<std::uint32_t, Way> model;
     // Few cells or many, next to one another, a grid's stride apart, or far from one another.
@@ -73,7 +73,7 @@ TEST_CASE("jump labels are what a map would hold, and those of earlier queries n
 
 TEST_CASE("jump labels grow with what is noted, and keep their memory", "[search]") {
   LabelMap labels;
-  labels.begin();
+  labels.reset();
   improve(labels, 1, 1, 1, 1);
   const std::size_t small = labels.memory();
   for (std::uint32_t cell = 0; cell < 100000; ++cell) {
@@ -89,7 +89,7 @@ TEST_CASE("jump labels grow with what is noted, and keep their memory", "[search
     if (g(labels, cell) != expected || parent(labels, cell) != (cell == 1 ? 1 : cell / 2)) ++wrong;
   }
   CHECK(wrong == 0);
-  labels.begin();
+  labels.reset();
   CHECK(labels.memory() == large);
   CHECK(improve(labels, 5, 1000000, 1, 5));  // worse than before, but that was another query
   CHECK(g(labels, 5) == 1000000);
@@ -99,7 +99,7 @@ TEST_CASE("jump labels grow with what is noted, and keep their memory", "[search
 TEST_CASE("no jump label lives on, over more queries than are counted", "[search]") {
   LabelMap labels;
   for (std::uint32_t query = 0; query < 3 * 8192; ++query) {
-    labels.begin();
+    labels.reset();
     // The best labels there are, of cells that come again in some later query.
     for (const std::uint32_t cell : {query % 7, 100 + query % 8191, 9000u}) {
       if (!improve(labels, cell, 0, no_step, query) || improve(labels, cell, 0, 0, 0) ||
@@ -113,7 +113,7 @@ TEST_CASE("no jump label lives on, over more queries than are counted", "[search
 
 TEST_CASE("of equal ways to a cell the first is kept", "[search]") {
   LabelMap labels;
-  labels.begin();
+  labels.reset();
   CHECK(improve(labels, 9, 100, 2, 8));
   CHECK_FALSE(improve(labels, 9, 100, 4, 10));
   CHECK_FALSE(improve(labels, 9, 101, 4, 10));

@@ -29,80 +29,80 @@ TEST_CASE("the shortest path by a line bends where the mirrored straight line cr
   CHECK(crossing(column, {5, 0}, {20, 15}, 5) == 5);
 }
 
-TEST_CASE("the nearest cell of a rail lies in it") {
-  const CellInterval rail{0, 10, 2, 20, 1};
-  CHECK(nearest_place(rail, 7.4) == 7);
-  CHECK(nearest_place(rail, 7.6) == 8);
-  CHECK(nearest_place(rail, -100) == 2);
-  CHECK(nearest_place(rail, 1e9) == 20);
+TEST_CASE("the nearest cell of a portal lies in it") {
+  const CellInterval portal{0, 10, 2, 20, 1};
+  CHECK(nearest_column(portal, 7.4) == 7);
+  CHECK(nearest_column(portal, 7.6) == 8);
+  CHECK(nearest_column(portal, -100) == 2);
+  CHECK(nearest_column(portal, 1e9) == 20);
 }
 
-TEST_CASE("a segment passes a rail where it crosses its line within it, or touches it") {
-  const CellInterval rail{0, 10, 4, 8, 1};
-  CHECK(passes(rail, {6, 0}, {6, 20}));
-  CHECK(passes(rail, {0, 0}, {12, 20}));        // at 6
-  CHECK(passes(rail, {4, 0}, {4, 20}));         // at its first cell
-  CHECK(passes(rail, {0, 0}, {16, 20}));        // at its last one
-  CHECK_FALSE(passes(rail, {3, 0}, {3, 20}));   // past it
-  CHECK_FALSE(passes(rail, {0, 0}, {17, 20}));  // just past it
-  CHECK_FALSE(passes(rail, {6, 0}, {6, 9}));    // never on its line
-  CHECK(passes(rail, {6, 0}, {6, 10}));         // ends on it
-  CHECK(passes(rail, {0, 10}, {4, 10}));        // along its line, up to it
-  CHECK_FALSE(passes(rail, {0, 10}, {3, 10}));
-  CHECK(passes({1, 10, 4, 8, 1}, {0, 6}, {20, 6}));  // the same for columns
-  CHECK_FALSE(passes({1, 10, 4, 8, 1}, {0, 3}, {20, 3}));
+TEST_CASE("a segment passes a portal where it crosses its line within it, or touches it") {
+  const CellInterval portal{0, 10, 4, 8, 1};
+  CHECK(crosses_portal(portal, {6, 0}, {6, 20}));
+  CHECK(crosses_portal(portal, {0, 0}, {12, 20}));        // at 6
+  CHECK(crosses_portal(portal, {4, 0}, {4, 20}));         // at its first cell
+  CHECK(crosses_portal(portal, {0, 0}, {16, 20}));        // at its last one
+  CHECK_FALSE(crosses_portal(portal, {3, 0}, {3, 20}));   // past it
+  CHECK_FALSE(crosses_portal(portal, {0, 0}, {17, 20}));  // just past it
+  CHECK_FALSE(crosses_portal(portal, {6, 0}, {6, 9}));    // never on its line
+  CHECK(crosses_portal(portal, {6, 0}, {6, 10}));         // ends on it
+  CHECK(crosses_portal(portal, {0, 10}, {4, 10}));        // along its line, up to it
+  CHECK_FALSE(crosses_portal(portal, {0, 10}, {3, 10}));
+  CHECK(crosses_portal({1, 10, 4, 8, 1}, {0, 6}, {20, 6}));  // the same for columns
+  CHECK_FALSE(crosses_portal({1, 10, 4, 8, 1}, {0, 3}, {20, 3}));
 }
 
-TEST_CASE("corners of a straight path are its ends, whatever rails it passes") {
-  std::vector<Rail> rails;
-  for (int i = 0; i < 10; ++i) rails.push_back({{0, 3 * i, 2 * i - 1, 2 * i + 1, 1}, 2 * i});
-  rails.front().cells.first = rails.front().cells.last = 0;
+TEST_CASE("corners of a straight path are its ends, whatever portals it passes") {
+  std::vector<CellPortal> portals;
+  for (int i = 0; i < 10; ++i) portals.push_back({{0, 3 * i, 2 * i - 1, 2 * i + 1, 1}, 2 * i});
+  portals.front().cells.first = portals.front().cells.last = 0;
   std::vector<Cell> corners;
-  append_corners(rails, corners);
+  append_corners(portals, corners);
   CHECK(corners == std::vector<Cell>{{18, 27}, {0, 0}});
-  rails[5].cells.last = rails[5].place = 9;  // it no longer holds (10, 15)
-  rails[5].cells.first = 7;
+  portals[5].cells.last = portals[5].u = 9;  // it no longer holds (10, 15)
+  portals[5].cells.first = 7;
   corners.clear();
-  append_corners(rails, corners);
+  append_corners(portals, corners);
   CHECK(corners.size() > 2);
   CHECK(corners.front() == Cell{18, 27});
   CHECK(corners.back() == Cell{0, 0});
 }
 
-TEST_CASE("nodes that slide along rails never lengthen a path, and a funnel is the shortest") {
+TEST_CASE("nodes that slide along portals never lengthen a path, and a funnel is the shortest") {
   const std::uint64_t seed = 914;
   Random random(seed);
   const auto upto = [&](int n) { return static_cast<int>(random.below(static_cast<unsigned>(n))); };
   for (std::size_t round = 0; round < test::scaled(300); ++round) {
     INFO("seed " << seed << ", round " << round);
-    std::vector<Rail> rails;
+    std::vector<CellPortal> portals;
     const int count = 2 + upto(12);
     for (int i = 0, line = 0; i < count; ++i, line += 1 + upto(9)) {
       const int first = upto(40), last = i == 0 || i == count - 1 ? first : first + upto(30);
-      rails.push_back({{0, line, first, last, 1}, first + upto(last - first + 1)});
+      portals.push_back({{0, line, first, last, 1}, first + upto(last - first + 1)});
     }
     const auto length = [&] {
       double sum = 0;
-      for (std::size_t i = 1; i < rails.size(); ++i) {
-        sum += cell_distance(rails[i - 1].node(), rails[i].node());
+      for (std::size_t i = 1; i < portals.size(); ++i) {
+        sum += cell_distance(portals[i - 1].node(), portals[i].node());
       }
       return sum;
     };
     double before = length();
     for (int sweep = 0; sweep < 5; ++sweep) {
-      slide(rails, 1);
+      slide(portals, 1);
       CHECK(length() <= before * (1 + 1e-12));
       before = length();
     }
-    slide(rails);
+    slide(portals);
     std::vector<Cell> corners, pulled;
-    append_corners(rails, corners);
-    append_pulled(rails, 0, rails.size() - 1, pulled);
+    append_corners(portals, corners);
+    append_pulled(portals, 0, portals.size() - 1, pulled);
     CHECK(path_length(corners) <= length() * (1 + 1e-12));
     CHECK(path_length(pulled) <= path_length(corners) * (1 + 1e-12));
     CHECK(path_length(corners) <= path_length(pulled) * 1.05);
-    CHECK(corners.front() == rails.back().node());
-    CHECK(corners.back() == rails.front().node());
+    CHECK(corners.front() == portals.back().node());
+    CHECK(corners.back() == portals.front().node());
   }
 }
 
