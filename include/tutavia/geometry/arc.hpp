@@ -81,7 +81,10 @@ struct Arc {
     for (const double t : {towards, 1.0}) {
       if (!(t > 0 && t <= 1)) continue;
       const double d = distance(p, point(t));
-      if (d < least) nearest = t, least = d;
+      if (d < least) {
+        nearest = t;
+        least = d;
+      }
     }
     return nearest;
   }

@@ -60,7 +60,11 @@ double parameter_at(const P& piece, double s, double total, double guess) {
     for (int i = 0; i < 60; ++i) {
       const double error = local.length_to(t) - s;
       if (std::abs(error) <= 1e-13 * total) break;
-      (error > 0 ? high : low) = t;
+      if (error > 0) {
+        high = t;
+      } else {
+        low = t;
+      }
       const double next = t - error / local.derivative(t).norm();
       t = low < next && next < high ? next : 0.5 * (low + high);
     }
@@ -165,7 +169,11 @@ class Curve {
       const double t = piece.nearest_parameter(p);
       const Point position = piece.point(t);
       const double gap = distance(p, position);
-      if (gap < best.distance) best = {0, position, gap}, nearest_piece = i, parameter = t;
+      if (gap < best.distance) {
+        best = {0, position, gap};
+        nearest_piece = i;
+        parameter = t;
+      }
     };
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       pieces_[i].visit([&](const auto& piece) { consider(i, piece); });

@@ -240,7 +240,11 @@ inline NaturalSpline NaturalSpline::within(std::span<const Point> data, double b
   for (int i = 0; i < 100 && bound > 0; ++i) {
     const double sum = fit.solve(penalty);
     if (0.99 * bound <= sum && sum <= bound) return std::move(fit).spline();
-    (sum <= bound ? low : high) = penalty;
+    if (sum <= bound) {
+      low = penalty;
+    } else {
+      high = penalty;
+    }
     if (high <= low * (1 + 1e-9)) break;
     if (low == 0) {
       penalty /= 64;

@@ -77,7 +77,10 @@ inline ClosestApproach closest_approach(const Segment& s, const Segment& other) 
     for (const double t : {cross(gap_a, e) / denominator, at_b, 0.0, 1.0}) {
       if (!(t >= 0 && t <= 1)) continue;
       const double gap = distance(s.point(t), other);
-      if (gap < least) parameter = t, least = gap;
+      if (gap < least) {
+        parameter = t;
+        least = gap;
+      }
     }
     return {0, parameter};
   }

@@ -122,7 +122,10 @@ inline bool corner_line_of_sight(const OccupancyGrid::View& rows,
                                  const OccupancyGrid::View& columns, Cell a, Cell b) {
   const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
   const OccupancyGrid::View& grid = steep ? columns : rows;
-  if (steep) a = {a.y, a.x}, b = {b.y, b.x};
+  if (steep) {
+    a = {a.y, a.x};
+    b = {b.y, b.x};
+  }
   if (a == b) return true;
   return a.y == b.y ? detail::edge_is_free(grid, a, b) : detail::corners_in_sight(grid, a, b);
 }

@@ -85,7 +85,7 @@ class SpeedProfile {
     detail::JerkLimitedProfile drive;
   };
 
-  static const char* invalid_option(const SpeedLimits& limits);
+  static Expected<void, Failure> check(const SpeedLimits& limits);
   static std::vector<detail::SpeedInterval> intervals_of(const Curve& curve,
                                                          const SpeedLimits& limits);
   /// The squared speed limits at the interval boundaries.
@@ -109,19 +109,23 @@ class SpeedProfile {
   std::vector<Leg> legs_;              // with a jerk limit
 };
 
-inline const char* SpeedProfile::invalid_option(const SpeedLimits& limits) {
+inline Expected<void, Failure> SpeedProfile::check(const SpeedLimits& limits) {
   const auto is_positive = [](double x) { return x > 0 && std::isfinite(x); };
-  if (!is_positive(limits.max_speed)) return "max_speed must be positive and finite";
-  if (!is_positive(limits.max_acceleration)) return "max_acceleration must be positive and finite";
-  if (!is_positive(limits.max_deceleration)) return "max_deceleration must be positive and finite";
+  if (!is_positive(limits.max_speed))
+    return fail(PlanError::invalid_option, "max_speed must be positive and finite");
+  if (!is_positive(limits.max_acceleration))
+    return fail(PlanError::invalid_option, "max_acceleration must be positive and finite");
+  if (!is_positive(limits.max_deceleration))
+    return fail(PlanError::invalid_option, "max_deceleration must be positive and finite");
   if (!is_positive(limits.max_lateral_acceleration))
-    return "max_lateral_acceleration must be positive and finite";
-  if (!(limits.max_jerk > 0)) return "max_jerk must be positive";
+    return fail(PlanError::invalid_option, "max_lateral_acceleration must be positive and finite");
+  if (!(limits.max_jerk > 0)) return fail(PlanError::invalid_option, "max_jerk must be positive");
   if (!(0 <= limits.start_speed && limits.start_speed <= limits.max_speed)) {
-    return "start_speed must lie between 0 and max_speed";
+    return fail(PlanError::invalid_option, "start_speed must lie between 0 and max_speed");
   }
-  if (!(limits.end_speed >= 0)) return "end_speed must not be negative";
-  return nullptr;
+  if (!(limits.end_speed >= 0))
+    return fail(PlanError::invalid_option, "end_speed must not be negative");
+  return {};
 }
 
 inline std::vector<detail::SpeedInterval> SpeedProfile::intervals_of(const Curve& curve,
@@ -168,7 +172,7 @@ inline std::vector<double> SpeedProfile::boundary_speed_limits(
 }
 
 inline Expected<SpeedProfile, Failure> SpeedProfile::build(Curve curve, const SpeedLimits& limits) {
-  if (const char* option = invalid_option(limits)) return fail(PlanError::invalid_option, option);
+  if (auto valid = check(limits); !valid) return std::move(valid).unexpected();
   if (curve.empty()) return fail(PlanError::invalid_input, "the curve is empty");
   const std::vector<detail::SpeedInterval> intervals = intervals_of(curve, limits);
   for (const detail::SpeedInterval& interval : intervals) {

@@ -76,9 +76,10 @@ struct ClothoidSmoother {
                                             {.margin = clearance_budget * unit,
                                              .min_turning_radius = min_turning_radius.value_or(0),
                                              .has_beziers = spirals == Spirals::cubic_beziers});
-    if (auto failure = spiral_string.widen(budget)) {
-      if (failure->code == PlanError::not_proved && spiral_string.was_gentle()) return string;
-      return Unexpected{std::move(*failure)};
+    if (auto widened = spiral_string.widen(budget); !widened) {
+      if (widened.error().code == PlanError::not_proved && spiral_string.was_gentle())
+        return string;
+      return std::move(widened).unexpected();
     }
     return spiral_string.curve();
   }

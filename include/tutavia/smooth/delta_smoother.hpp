@@ -65,7 +65,7 @@ struct DeltaSmoother {
   /// budget.
   template <CornerSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
-    if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
+    if (auto valid = check(); !valid) return std::move(valid).unexpected();
     const auto nodes = detail::free_nodes(space, input, budget, "the delta smoother");
     if (!nodes) return Unexpected{nodes.error()};
     auto result = lines_and_arcs(space, *nodes, budget);
@@ -108,18 +108,23 @@ struct DeltaSmoother {
     return result;
   }
 
-  const char* invalid_option() const {
-    if (!(corner_threshold >= 0)) return "corner_threshold must not be negative";
-    if (!(arc_initial_offset >= 0)) return "arc_initial_offset must not be negative";
+  Expected<void, Failure> check() const {
+    if (!(corner_threshold >= 0))
+      return fail(PlanError::invalid_option, "corner_threshold must not be negative");
+    if (!(arc_initial_offset >= 0))
+      return fail(PlanError::invalid_option, "arc_initial_offset must not be negative");
     if (!(arc_max_offset >= 0) || !std::isfinite(arc_max_offset)) {
-      return "arc_max_offset must be finite and not negative";
+      return fail(PlanError::invalid_option, "arc_max_offset must be finite and not negative");
     }
-    if (!(arc_growth_step > 0)) return "arc_growth_step must be positive";
+    if (!(arc_growth_step > 0))
+      return fail(PlanError::invalid_option, "arc_growth_step must be positive");
     if (arc_max_offset > 1e4 * arc_growth_step) {
-      return "arc_growth_step is less than a ten-thousandth of arc_max_offset";
+      return fail(PlanError::invalid_option,
+                  "arc_growth_step is less than a ten-thousandth of arc_max_offset");
     }
-    if (!(min_exterior_angle >= 0)) return "min_exterior_angle must not be negative";
-    return nullptr;
+    if (!(min_exterior_angle >= 0))
+      return fail(PlanError::invalid_option, "min_exterior_angle must not be negative");
+    return {};
   }
 
   /// One trigger per node: the nearest node of each critical corner, with the nearest corner of
@@ -155,7 +160,10 @@ struct DeltaSmoother {
       const double aside = std::abs(nodes[i].x() - corner.position.x());
       if (aside > least) return false;
       const double d = distance(nodes[i], corner.position);
-      if (d < least || (d == least && i < best.node)) best.node = i, least = d;
+      if (d < least || (d == least && i < best.node)) {
+        best.node = i;
+        least = d;
+      }
       return true;
     };
     const auto from = std::lower_bound(by_x.begin(), by_x.end(), corner.position.x(),

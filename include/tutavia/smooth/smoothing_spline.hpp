@@ -78,16 +78,16 @@ class PiecewiseSplineFit {
 
   /// Appends the pieces from node `first` to `last` to the result; an error if the budget has
   /// ended. \pre first < last
-  std::optional<PlanError> smooth(std::size_t first, std::size_t last) {
-    if (const auto exceeded = budget_.exceeded()) return to_error(*exceeded);
+  Expected<void, Failure> smooth(std::size_t first, std::size_t last) {
+    if (const auto exceeded = budget_.exceeded()) return fail(*exceeded, "while smoothing");
     if (last - first == 1) {
       append({nodes_[first], nodes_[last]});
     } else if (!fit(nodes_.subspan(first, last - first + 1))) {
       const std::size_t middle = first + (last - first) / 2;
-      if (const auto exceeded = smooth(first, middle)) return exceeded;
+      if (auto half = smooth(first, middle); !half) return half;
       return smooth(middle, last);
     }
-    return std::nullopt;
+    return {};
   }
 
   const std::vector<Piece>& result() const { return result_; }
@@ -104,30 +104,31 @@ class PiecewiseSplineFit {
       if (proved) append(chord);
       return proved;
     }
-    const double share = std::round(pieces_per_step_ * (count - 1));
+    const double share = std::max(std::round(pieces_per_step_ * (count - 1)), 1.0);
     Curve curve;
-    if (!add_pieces(spline, section, std::max(share, 1.0), curve)) return false;
+    if (!add_pieces(spline, section, static_cast<std::uint64_t>(share), curve)) return false;
     if (!(curve.length() <= length(section))) return false;
     result_.insert(result_.end(), curve.pieces().begin(), curve.pieces().end());
     return true;
   }
 
   /// Adds `count` pieces between points at equal parameters; false if one is not proved.
-  bool add_pieces(const NaturalSpline& spline, std::span<const Point> section, double count,
+  bool add_pieces(const NaturalSpline& spline, std::span<const Point> section, std::uint64_t count,
                   Curve& curve) const {
-    const double step = spline.end() / count;
+    const double step = spline.end() / static_cast<double>(count);
     Point start = section.front(), tangent = spline.derivative(0);
-    for (double i = 1; i <= count; ++i) {
+    for (std::uint64_t i = 1; i <= count; ++i) {
       // Out of time; the halves of the section will report it.
-      if (std::fmod(i, 256) == 0 && budget_.exceeded()) return false;
-      const double t = i < count ? i * step : spline.end();
+      if (i % 256 == 0 && budget_.exceeded()) return false;
+      const double t = i < count ? static_cast<double>(i) * step : spline.end();
       const Point end = i < count ? spline.point(t) : section.back();
       const Point end_tangent = spline.derivative(t);
       const CubicBezier piece{{start, offset_along(start, step / 3, tangent),
                                offset_along(end, -step / 3, end_tangent), end}};
       if (!is_proved_free(space_, piece)) return false;
       curve.push_back(piece);
-      start = end, tangent = end_tangent;
+      start = end;
+      tangent = end_tangent;
     }
     return true;
   }
@@ -181,8 +182,8 @@ Expected<Curve, Failure> SmoothingSpline::smooth(const S& space, const Curve& in
 
   const double unit = detail::length_unit(space), bound = smoothing * (unit * unit);
   detail::PiecewiseSplineFit sections(space, budget, nodes, bound, output_points - 1);
-  if (const auto exceeded = sections.smooth(0, nodes.size() - 1)) {
-    return fail(*exceeded, "while smoothing");
+  if (auto smoothed = sections.smooth(0, nodes.size() - 1); !smoothed) {
+    return std::move(smoothed).unexpected();
   }
   Curve result;
   result.reserve(sections.result().size());

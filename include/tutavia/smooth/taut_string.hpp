@@ -42,7 +42,8 @@ struct TautString {
     if (!nodes) return Unexpected{nodes.error()};
     if (nodes->empty()) return input;
     detail::TautStringSolver<S> string(space, *nodes, budget);
-    if (string.pull() == PlanError::cancelled) {
+    const auto pulled = string.pull();
+    if (!pulled && pulled.error().code == PlanError::cancelled) {
       return fail(PlanError::cancelled, "while pulling a string");
     }
     return string.curve();

@@ -52,7 +52,7 @@ struct TwoStageBSpline {
   /// `invalid_input` for a curve that is not a polyline or not free; those of the budget.
   template <ClearanceGridSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
-    if (const char* option = invalid_option()) return fail(PlanError::invalid_option, option);
+    if (auto valid = check(); !valid) return std::move(valid).unexpected();
     auto nodes = detail::free_nodes(space, input, budget, "the two-stage B-spline");
     if (!nodes) return Unexpected{nodes.error()};
     if (nodes->empty()) return input;
@@ -70,15 +70,16 @@ struct TwoStageBSpline {
   }
 
  private:
-  const char* invalid_option() const {
+  Expected<void, Failure> check() const {
     const auto is_valid = [](double x) { return x >= 0 && std::isfinite(x); };
-    if (!is_valid(a)) return "a must be finite and not negative";
-    if (!is_valid(b)) return "b must be finite and not negative";
-    if (!(a + b > 0)) return "a and b must not both be 0";
-    if (!is_valid(c)) return "c must be finite and not negative";
-    if (!(0 <= d0 && d0 <= 100)) return "d0 must lie in [0, 100]";
-    if (passes < 0 || passes > 100) return "passes must lie in [0, 100]";
-    return nullptr;
+    if (!is_valid(a)) return fail(PlanError::invalid_option, "a must be finite and not negative");
+    if (!is_valid(b)) return fail(PlanError::invalid_option, "b must be finite and not negative");
+    if (!(a + b > 0)) return fail(PlanError::invalid_option, "a and b must not both be 0");
+    if (!is_valid(c)) return fail(PlanError::invalid_option, "c must be finite and not negative");
+    if (!(0 <= d0 && d0 <= 100)) return fail(PlanError::invalid_option, "d0 must lie in [0, 100]");
+    if (passes < 0 || passes > 100)
+      return fail(PlanError::invalid_option, "passes must lie in [0, 100]");
+    return {};
   }
 
   template <GridSpace S>

@@ -54,7 +54,10 @@ class ClosestParameter {
   void consider(double t, double distance) {
     least_ = std::min(least_, distance);
     if (distance > least_ + tolerance_) return;
-    if (t < parameter_ || distance_ > least_ + tolerance_) parameter_ = t, distance_ = distance;
+    if (t < parameter_ || distance_ > least_ + tolerance_) {
+      parameter_ = t;
+      distance_ = distance;
+    }
   }
 
   /// Newton's method for B . B' = 0: the distance is flat around its minimum, so the tolerance

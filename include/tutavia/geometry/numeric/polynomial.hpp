@@ -66,7 +66,11 @@ double bracketed_root(const Polynomial<N>& f, double low, double high) {
   for (int i = 0; i < 128; ++i) {
     const double value = evaluate(f, t);
     if (value == 0) break;
-    ((value < 0) == negative_at_low ? low : high) = t;
+    if ((value < 0) == negative_at_low) {
+      low = t;
+    } else {
+      high = t;
+    }
     const double newton = -value / evaluate(slope, t);
     double next = t + newton;
     if (!(low < next && next < high && std::abs(newton) <= 0.5 * std::abs(step))) {

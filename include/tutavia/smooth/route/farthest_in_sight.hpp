@@ -18,7 +18,11 @@ template <std::predicate<std::size_t> Sees>
 std::size_t bisect_sight(std::size_t seen, std::size_t hidden, const Sees& sees) {
   while (seen + 1 < hidden) {
     const std::size_t middle = seen + (hidden - seen) / 2;
-    (sees(middle) ? seen : hidden) = middle;
+    if (sees(middle)) {
+      seen = middle;
+    } else {
+      hidden = middle;
+    }
   }
   return seen;
 }

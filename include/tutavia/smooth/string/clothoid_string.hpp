@@ -38,13 +38,11 @@ class ClothoidString {
 
   /// Enlarges the circles. Errors: `not_proved`; those of the budget. After an error there is no
   /// curve.
-  std::optional<Failure> widen(const Budget& budget) {
+  Expected<void, Failure> widen(const Budget& budget) {
     while (true) {
-      if (const auto exceeded = budget.exceeded()) {
-        return Failure{.code = to_error(*exceeded), .detail = "while smoothing"};
-      }
+      if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
       const bool is_done = update_edges() && update_shapes() && prove();
-      if (failure_ || is_done) return failure_;
+      if (!result_ || is_done) return result_;
     }
   }
 
@@ -85,9 +83,9 @@ class ClothoidString {
 
   void give_up(std::size_t i) {
     const Point& p = bends_[i].core.center;
-    failure_ = Failure{.code = PlanError::not_proved,
-                       .detail = "no bend that is gentle enough can be proved around (" +
-                                 std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")"};
+    result_ =
+        fail(PlanError::not_proved, "no bend that is gentle enough can be proved around (" +
+                                        std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")");
   }
 
   /// Computes the edges between the circles and the turns around them. Returns false if circles
@@ -104,7 +102,7 @@ class ClothoidString {
         fits = false;
       }
     }
-    if (!fits || failure_) return false;
+    if (!fits || !result_) return false;
     for (std::size_t i = bends_[0].next; bends_[i].next != none; i = bends_[i].next) {
       Bend& bend = bends_[i];
       if (!bend.is_stale) continue;
@@ -165,7 +163,7 @@ class ClothoidString {
   const S& space_;
   Options options_;
   SpiralBends bends_;
-  std::optional<Failure> failure_;
+  Expected<void, Failure> result_;  // why the string cannot be widened, if it cannot
   std::vector<std::size_t> blocked_bends_, blocked_edges_;
 };
 

@@ -34,13 +34,13 @@ class TautStringSolver {
   TautStringSolver& operator=(const TautStringSolver&) = delete;
 
   /// Pulls until every bend is taut or has no proved pull.
-  std::optional<PlanError> pull() {
+  Expected<void, Failure> pull() {
     for (std::size_t b = string_[0].next; b != none && b != string_.last();) {
-      if (const auto exceeded = budget_.exceeded()) return to_error(*exceeded);
+      if (const auto exceeded = budget_.exceeded()) return fail(*exceeded);
       const std::optional<std::size_t> before = string_.is_taut(b) ? std::nullopt : remove_bend(b);
       b = !before ? string_[b].next : *before == 0 ? string_[0].next : *before;
     }
-    return std::nullopt;
+    return {};
   }
 
   Curve curve() const { return string_.curve(error_bound_); }
