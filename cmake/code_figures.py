@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Counts what a reader of the library meets: names, headers and functions, with the largest of each.
 
-    cmake/house_figures.py              the figures of this tree
-    cmake/house_figures.py --names      also every name in tutavia and in tutavia::detail
-    cmake/house_figures.py FOLDER       the figures of another tree
+    cmake/code_figures.py              the figures of this tree
+    cmake/code_figures.py --names      also every name in tutavia and in tutavia::detail
+    cmake/code_figures.py FOLDER       the figures of another tree
 
 Reads the headers with libclang (python3-clang-19), as a compiler does: a name counts once, however
 often it is overloaded; a function spans from its first line to its closing brace. Exits with 1 where
