@@ -19,14 +19,18 @@ struct ViaPoint {
     }
     tutavia::Random random(query.seed);
     const tutavia::Box& box = space.bounds();
+    tutavia::Statistics stats;
     for (int i = 0; i < tries; ++i) {
+      if (const auto end = query.budget.exceeded()) return tutavia::fail(*end);
+      if (stats.expanded == query.budget.max_expansions) break;
+      ++stats.expanded;
       const tutavia::Point via{random.uniform(box.min.x(), box.max.x()),
                                random.uniform(box.min.y(), box.max.y())};
       observer.generated(via);
       if (!space.segment_free(query.start, via) || !space.segment_free(via, query.goal)) continue;
       const std::array points{query.start, via, query.goal};
       const auto curve = tutavia::Curve::polyline(points);
-      return tutavia::Route{.curve = curve, .cost = curve.length()};
+      return tutavia::Route{.curve = curve, .cost = curve.length(), .stats = stats};
     }
     return tutavia::fail(tutavia::PlanError::budget_exhausted, "no single bend found");
   }

@@ -15,7 +15,7 @@ TEST_CASE("without surcharges a step costs its length", "[grid]") {
   CHECK(costs.width() == 3);
   CHECK(costs.height() == 2);
   for (std::size_t step = 0; step < 3; ++step) {
-    CHECK(costs.step_cost({0, 0}, step) == CellCosts::scale * step_cost(step));
+    CHECK(costs.step_cost({0, 0}, step) == CellCosts::scale * detail::step_cost(step));
   }
 }
 

@@ -32,7 +32,7 @@ Curve line(double length) {
 }
 
 TEST_CASE("a straight line is accelerating, cruising and braking, in closed form") {
-  const SpeedLimits limits{.speed = 2, .acceleration = 1, .max_deceleration = 0.5};
+  const SpeedLimits limits{.max_speed = 2, .max_acceleration = 1, .max_deceleration = 0.5};
   // 2 m and 2 s up to speed, 4 m and 4 s down.
   const auto profile = SpeedProfile::build(line(10), limits).value();
   CHECK(profile.duration() == Approx(2 + 2 + 4));
@@ -51,9 +51,11 @@ TEST_CASE("a straight line is accelerating, cruising and braking, in closed form
   CHECK(dash.at(1).s == Approx(0.5));
 
   // Rolling through.
-  const auto roll = SpeedProfile::build(
-      line(10),
-      {.speed = 2, .acceleration = 1, .max_deceleration = 0.5, .start_speed = 2, .end_speed = 2});
+  const auto roll = SpeedProfile::build(line(10), {.max_speed = 2,
+                                                   .max_acceleration = 1,
+                                                   .max_deceleration = 0.5,
+                                                   .start_speed = 2,
+                                                   .end_speed = 2});
   CHECK(roll->duration() == Approx(5));
   CHECK(SpeedProfile::build(line(0), limits)->duration() == 0);
 }
@@ -63,8 +65,10 @@ TEST_CASE("bends are taken at the speed that the lateral limit allows, corners f
   curve.push_back(Segment{{0, 0}, {9, 0}});
   curve.push_back(Arc::around({9, 2}, 2, -pi / 2, pi));
   curve.push_back(Segment{curve.end(), {0, 4}});
-  const SpeedLimits limits{
-      .speed = 3, .acceleration = 1, .max_deceleration = 1, .max_lateral_acceleration = 0.5};
+  const SpeedLimits limits{.max_speed = 3,
+                           .max_acceleration = 1,
+                           .max_deceleration = 1,
+                           .max_lateral_acceleration = 0.5};
   const auto profile = SpeedProfile::build(curve, limits).value();
   const double middle = profile.duration() / 2;
   CHECK(profile.at(middle).speed == Approx(1));  // 1^2 / 2 = 0.5
@@ -110,8 +114,8 @@ TEST_CASE("the limits hold everywhere on curves of all kinds; smooth curves are 
     if (!task) continue;
     const auto space = InflatedSpace::build(task->world).value();
     const Curve route = Curve::polyline(task->route);
-    const SpeedLimits limits{.speed = random.uniform(0.2, 3),
-                             .acceleration = random.uniform(0.1, 2),
+    const SpeedLimits limits{.max_speed = random.uniform(0.2, 3),
+                             .max_acceleration = random.uniform(0.1, 2),
                              .max_deceleration = random.uniform(0.1, 2),
                              .max_lateral_acceleration = random.uniform(0.1, 2)};
     const Curve string = TautString{}.smooth(space, route, {}).value();
@@ -153,8 +157,7 @@ Use use_of(const SpeedProfile& profile, const SpeedLimits& limits, Random& rando
   for (int i = 0; i < times; ++i) {
     const SpeedProfile::State p = profile.at(random.uniform(0, duration));
     raise(use.speed, p.speed < 0 ? infinity : p.speed / limits.max_speed);
-    raise(use.max_lateral_acceleration,
-          p.speed * p.speed * std::abs(p.curvature) / limits.max_lateral_acceleration);
+    raise(use.lateral, p.speed * p.speed * std::abs(p.curvature) / limits.max_lateral_acceleration);
     raise(use.along, p.acceleration / limits.max_acceleration);
     raise(use.along, -p.acceleration / limits.max_deceleration);
     // A while later, as long as a step of a simulation or much shorter.
@@ -171,7 +174,7 @@ Use use_of(const SpeedProfile& profile, const SpeedLimits& limits, Random& rando
       raise(use.change_of_speed, std::abs(q.speed - p.speed) / (rate * t + rounding));
     } else {
       const double change = std::abs(q.acceleration - p.acceleration);
-      raise(use.max_jerk, change / (limits.max_jerk * t + 1e-9 * rate));
+      raise(use.jerk, change / (limits.max_jerk * t + 1e-9 * rate));
       raise(use.change_of_place, place_error / (limits.max_jerk * t * t * t / 12 + rounding));
       raise(use.change_of_speed, speed_error / (limits.max_jerk * t * t / 4 + rounding));
     }
@@ -185,9 +188,9 @@ void check_profile(const SpeedProfile& profile, const SpeedLimits& limits, Rando
   REQUIRE(std::isfinite(profile.duration()));
   const Use use = use_of(profile, limits, random, times);
   CHECK(use.speed <= tolerance);
-  CHECK(use.max_lateral_acceleration <= tolerance);
+  CHECK(use.lateral <= tolerance);
   CHECK(use.along <= tolerance);
-  CHECK(use.max_jerk <= tolerance);
+  CHECK(use.jerk <= tolerance);
   CHECK(use.change_of_place <= tolerance);
   CHECK(use.change_of_speed <= tolerance);
 
@@ -250,8 +253,8 @@ TEST_CASE("profiles of curves of every kind keep all limits at any time, with an
     const Curve route = Curve::polyline(task->route);
     if (!(route.length() > 0)) continue;
     const std::vector<Curve> curves = curves_of_all_kinds(space, route, random);
-    SpeedLimits limits{.speed = random.uniform(0.2, 3),
-                       .acceleration = random.uniform(0.1, 2),
+    SpeedLimits limits{.max_speed = random.uniform(0.2, 3),
+                       .max_acceleration = random.uniform(0.1, 2),
                        .max_deceleration = random.uniform(0.1, 2),
                        .max_lateral_acceleration = random.uniform(0.1, 2)};
     const double jerk = std::pow(10, random.uniform(-1, 2));
@@ -287,7 +290,8 @@ TEST_CASE("profiles of curves of every kind keep all limits at any time, with an
 }
 
 TEST_CASE("with jerk, a straight line from rest to rest takes longer by one window") {
-  SpeedLimits limits{.speed = 2, .acceleration = 1, .max_deceleration = 0.5, .max_jerk = 0.75};
+  SpeedLimits limits{
+      .max_speed = 2, .max_acceleration = 1, .max_deceleration = 0.5, .max_jerk = 0.75};
   // 8 s without a limit of jerk (see above); the window is 1.5 / 0.75 = 2 s.
   const auto profile = SpeedProfile::build(line(10), limits).value();
   CHECK(profile.duration() == Approx(8 + 2));
@@ -356,13 +360,13 @@ TEST_CASE("limits out of range are refused by name, and what cannot be followed"
     CHECK(result.error().code == PlanError::invalid_option);
     return result.error().detail;
   };
-  CHECK(refusal({.speed = 0}).find("speed ") == 0);
-  CHECK(refusal({.acceleration = nan}).find("acceleration ") == 0);
-  CHECK(refusal({.max_deceleration = -1}).find("braking ") == 0);
+  CHECK(refusal({.max_speed = 0}).find("max_speed ") == 0);
+  CHECK(refusal({.max_acceleration = nan}).find("max_acceleration ") == 0);
+  CHECK(refusal({.max_deceleration = -1}).find("max_deceleration ") == 0);
   CHECK(refusal({.max_lateral_acceleration = std::numeric_limits<double>::infinity()})
-            .find("lateral ") == 0);
-  CHECK(refusal({.max_jerk = 0}).find("jerk ") == 0);
-  CHECK(refusal({.max_jerk = nan}).find("jerk ") == 0);
+            .find("max_lateral_acceleration ") == 0);
+  CHECK(refusal({.max_jerk = 0}).find("max_jerk ") == 0);
+  CHECK(refusal({.max_jerk = nan}).find("max_jerk ") == 0);
   CHECK(refusal({.start_speed = 2}).find("start_speed ") == 0);
   CHECK(refusal({.end_speed = nan}).find("end_speed ") == 0);
   // From 1 m/s it takes 1 m to stop at 0.5 m/s^2.

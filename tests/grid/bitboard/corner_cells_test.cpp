@@ -7,6 +7,7 @@
 namespace {
 
 using namespace tutavia;
+using namespace tutavia::detail;
 
 TEST_CASE("a corner knows its four cells, and what walls do there", "[grid]") {
   for (unsigned pattern = 0; pattern < 16; ++pattern) {
