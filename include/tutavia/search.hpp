@@ -34,6 +34,6 @@
 #include "tutavia/search/search_record.hpp"
 #include "tutavia/search/ssa_astar.hpp"
 #include "tutavia/search/tangent_graph.hpp"
-#include "tutavia/search/tangent_map.hpp"
+#include "tutavia/search/tangent_visibility_graph.hpp"
 #include "tutavia/search/theta_star.hpp"
 #include "tutavia/search/weighted_astar.hpp"

@@ -65,10 +65,10 @@ TEST_CASE("dead ends lead out, and the rest is a web of rings") {
     const NavigationMesh mesh = NavigationMesh::build(test::random_grid(random, 30)).value();
     for (Piece piece = 0; piece < mesh.size(); ++piece) {
       std::size_t ways = 0;
-      bool is_neighbour = mesh.way_out(piece) == piece;
+      bool is_neighbour = mesh.exit_of_dead_end(piece) == piece;
       mesh.for_each_exit(piece, [&](Cell, Cell, Piece beyond) {
         ways += mesh.is_dead_end(beyond) ? 0 : 1;
-        is_neighbour = is_neighbour || beyond == mesh.way_out(piece);
+        is_neighbour = is_neighbour || beyond == mesh.exit_of_dead_end(piece);
       });
       if (mesh.is_dead_end(piece)) {
         ++dead_ends;
@@ -77,8 +77,8 @@ TEST_CASE("dead ends lead out, and the rest is a web of rings") {
         // Out of the dead end, in fewer steps than there are polygons.
         Piece at = piece;
         std::size_t steps = 0;
-        while (mesh.is_dead_end(at) && mesh.way_out(at) != at && steps <= mesh.size()) {
-          at = mesh.way_out(at);
+        while (mesh.is_dead_end(at) && mesh.exit_of_dead_end(at) != at && steps <= mesh.size()) {
+          at = mesh.exit_of_dead_end(at);
           ++steps;
         }
         CHECK(steps <= mesh.size());

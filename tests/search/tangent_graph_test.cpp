@@ -32,24 +32,24 @@ Expected<Route, Failure> search(const InflatedSpace& space, const Query& query,
   return graph.search(space, query, scratch, no_observer);
 }
 
-TEST_CASE("ways of a prepared map are proved tangents, each also the other way round") {
+TEST_CASE("edges of a prepared graph are proved tangents, each in both directions") {
   const Scene scene = maps::complex();
   const auto space = InflatedSpace::build(scene.workspace).value();
   const TangentVisibilityGraph map = TangentVisibilityGraph::prepare(space).value();
   CHECK_FALSE(TangentVisibilityGraph(space).is_prepared());
   CHECK(map.memory() > TangentVisibilityGraph(space).memory());
-  std::size_t ways = 0;
+  std::size_t edges = 0;
   for (TangentVisibilityGraph::Node from = 0; from < map.nodes(); ++from) {
-    for (const TangentVisibilityGraph::Node to : map.ways(from)) {
-      ++ways;
+    for (const TangentVisibilityGraph::Node to : map.edges(from)) {
+      ++edges;
       const auto way = detail::tangent_line(map.circle(from), map.circle(to));
       REQUIRE(way);
       CHECK(is_proved_free(space, Segment{way->from, way->to}));
-      const auto back = map.ways(to ^ 1u);
+      const auto back = map.edges(to ^ 1u);
       CHECK(std::find(back.begin(), back.end(), from ^ 1u) != back.end());
     }
   }
-  CHECK(ways > 100);
+  CHECK(edges > 100);
   Scene other = maps::maze();
   CHECK_FALSE(map.matches(InflatedSpace::build(other.workspace).value()));
   CHECK_FALSE(TangentVisibilityGraph::prepare(space, Budget::for_seconds(-1)));
@@ -61,7 +61,7 @@ TEST_CASE("TangentGraph keeps the searcher contract") {
       TangentGraph{}, {.robot = test::Robot::disc, .ties = test::Ties::not_proved, .found = 0.9});
 }
 
-/// The shortest path by trying everything: all circles, all ways between them, all arcs, no cones
+/// The shortest path by trying everything: all circles, all edges between them, all arcs, no cones
 /// and no estimates; Dijkstra from way to way.
 class BruteForce {
  public:
@@ -86,7 +86,7 @@ class BruteForce {
                              ? std::nullopt
                              : detail::tangent_line(circles_[i], circles_[j]);
         if (way && is_proved_free(space, Segment{way->from, way->to})) {
-          ways_.push_back({i, j, *way});
+          edges_.push_back({i, j, *way});
         }
       }
     }
@@ -94,24 +94,24 @@ class BruteForce {
 
   double length() const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<double> best(ways_.size(), infinity);
+    std::vector<double> best(edges_.size(), infinity);
     using Entry = std::pair<double, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    for (std::size_t w = 0; w < ways_.size(); ++w) {
-      if (ways_[w].from == 0) open.push({best[w] = ways_[w].way.length, w});
+    for (std::size_t w = 0; w < edges_.size(); ++w) {
+      if (edges_[w].from == 0) open.push({best[w] = edges_[w].way.length, w});
     }
     while (!open.empty()) {
       const auto [cost, w] = open.top();
       open.pop();
       if (cost > best[w]) continue;
-      if (ways_[w].to == 1) return cost;
-      const detail::OrientedCircle& circle = circles_[ways_[w].to];
-      for (std::size_t v = 0; v < ways_.size(); ++v) {
-        if (ways_[v].from != ways_[w].to) continue;
-        double turn = circle.side * turn_angle(ways_[w].way.direction, ways_[v].way.direction);
+      if (edges_[w].to == 1) return cost;
+      const detail::OrientedCircle& circle = circles_[edges_[w].to];
+      for (std::size_t v = 0; v < edges_.size(); ++v) {
+        if (edges_[v].from != edges_[w].to) continue;
+        double turn = circle.side * turn_angle(edges_[w].way.direction, edges_[v].way.direction);
         if (turn < -1e-9) turn += 2 * pi;
-        const double next = cost + circle.radius * std::fmax(turn, 0) + ways_[v].way.length;
-        if (!(next < best[v]) || !is_free(circle, ways_[w].way.to, ways_[v].way.from, turn)) {
+        const double next = cost + circle.radius * std::fmax(turn, 0) + edges_[v].way.length;
+        if (!(next < best[v]) || !is_free(circle, edges_[w].way.to, edges_[v].way.from, turn)) {
           continue;
         }
         open.push({best[v] = next, v});
@@ -141,7 +141,7 @@ class BruteForce {
 
   const InflatedSpace& space_;
   std::vector<detail::OrientedCircle> circles_;
-  std::vector<Way> ways_;
+  std::vector<Way> edges_;
 };
 
 TEST_CASE("the tangent graph's paths are those of trying everything", "[soak]") {

@@ -97,7 +97,7 @@ class NavigationMesh {
   /// there need such a polygon.
   bool is_dead_end(Piece piece) const { return exit_of_dead_end_[piece] != none; }
   /// The neighbour through which a dead end is left; the polygon itself if it has none.
-  Piece way_out(Piece piece) const { return exit_of_dead_end_[piece]; }
+  Piece exit_of_dead_end(Piece piece) const { return exit_of_dead_end_[piece]; }
   /// All dead ends have smaller numbers.
   std::size_t dead_end_limit() const { return size(); }
 

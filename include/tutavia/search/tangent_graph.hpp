@@ -15,7 +15,7 @@
 #include "tutavia/search/grid/search_context.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/tangent/tangent_search.hpp"
-#include "tutavia/search/tangent_map.hpp"
+#include "tutavia/search/tangent_visibility_graph.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file

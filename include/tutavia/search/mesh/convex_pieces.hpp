@@ -35,13 +35,13 @@ concept ConvexPieces = requires(const P& pieces, std::uint32_t piece, Cell cell,
 };
 
 /// Pieces with known dead ends. `is_dead_end(piece)`: only paths that start or end in the piece, or
-/// in dead ends behind it, need it. `way_out(piece)`: the neighbour through which a dead end is
-/// left, or the piece itself if there is none. `dead_end_limit()`: all dead ends have smaller
-/// numbers.
+/// in dead ends behind it, need it. `exit_of_dead_end(piece)`: the neighbour through which a dead
+/// end is left, or the piece itself if there is none. `dead_end_limit()`: all dead ends have
+/// smaller numbers.
 template <class P>
 concept PiecesWithDeadEnds = ConvexPieces<P> && requires(const P& pieces, std::uint32_t piece) {
   { pieces.is_dead_end(piece) } -> std::same_as<bool>;
-  { pieces.way_out(piece) } -> std::same_as<std::uint32_t>;
+  { pieces.exit_of_dead_end(piece) } -> std::same_as<std::uint32_t>;
   { pieces.dead_end_limit() } -> std::same_as<std::size_t>;
 };
 

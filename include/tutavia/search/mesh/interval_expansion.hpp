@@ -115,7 +115,7 @@ class IntervalExpansion {
     if constexpr (PiecesWithDeadEnds<Pieces>) {
       while (pieces_.is_dead_end(piece) && !scratch_.is_passage(piece)) {
         scratch_.set_passage(piece);
-        piece = pieces_.way_out(piece);
+        piece = pieces_.exit_of_dead_end(piece);
       }
     }
   }

@@ -19,7 +19,7 @@
 #include "tutavia/search/grid/open_heap.hpp"
 #include "tutavia/search/grid/search_context.hpp"
 #include "tutavia/search/query_checks.hpp"
-#include "tutavia/search/tangent_map.hpp"
+#include "tutavia/search/tangent_visibility_graph.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -151,7 +151,7 @@ class TangentSearch {
     const TangentScratch::Arrival from = scratch_.arrivals[index];
     context_.count_expanded(from.edge.to);
     if (from.node != none && map_.is_prepared()) {
-      for (const TangentVisibilityGraph::Node node : map_.ways(from.node))
+      for (const TangentVisibilityGraph::Node node : map_.edges(from.node))
         generate(index, from, node, true);
     } else {
       map_.for_each_candidate(

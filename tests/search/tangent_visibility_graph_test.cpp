@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tutavia/search/tangent_map.hpp"
+#include "tutavia/search/tangent_visibility_graph.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -34,10 +34,10 @@ TangentVisibilityGraph updated(const TangentVisibilityGraph& map, const Workspac
   return map.updated(space_of(after), changed_boxes(before, after)).value();
 }
 
-std::size_t count_ways(const TangentVisibilityGraph& map) {
+std::size_t count_edges(const TangentVisibilityGraph& map) {
   std::size_t count = 0;
   for (TangentVisibilityGraph::Node node = 0; node < map.nodes(); ++node)
-    count += map.ways(node).size();
+    count += map.edges(node).size();
   return count;
 }
 
@@ -140,7 +140,7 @@ const char* change(Workspace& world, test::WorldGenerator& worlds) {
 TEST_CASE("updated tangents are those prepared anew, in random worlds that change", "[soak]") {
   const std::uint64_t seed = 610;
   test::WorldGenerator worlds(seed);
-  std::size_t updates = 0, with_others = 0, same_ways = 0, routes = 0;
+  std::size_t updates = 0, with_others = 0, same_edges = 0, routes = 0;
   for (std::size_t round = 0; round < test::scaled(60); ++round) {
     INFO("seed " << seed << ", round " << round);
     Workspace world = worlds.workspace();
@@ -158,7 +158,7 @@ TEST_CASE("updated tangents are those prepared anew, in random worlds that chang
       CHECK(map.matches(after));
       ++updates;
       with_others += world.obstacles.size() > 3;
-      same_ways += count_ways(map) > 50;
+      same_edges += count_edges(map) > 50;
       world = next;
     }
     if (!(world.safety_radius > 0)) continue;
@@ -178,9 +178,9 @@ TEST_CASE("updated tangents are those prepared anew, in random worlds that chang
       CHECK(again.error().code == route.error().code);
     }
   }
-  CAPTURE(updates, with_others, same_ways);
+  CAPTURE(updates, with_others, same_edges);
   CHECK(routes > test::scaled(60) / 3);
-  CHECK(same_ways > updates / 4);
+  CHECK(same_edges > updates / 4);
   CHECK(with_others > updates / 2);
 }
 
@@ -191,12 +191,12 @@ Workspace with(std::vector<Obstacle> obstacles) {
 
 const Disc west{{-6, 0}, 1}, east{{6, 0}, 1};
 
-TEST_CASE("what stood between two circles opens their ways when it goes, and bars them again") {
+TEST_CASE("what stood between two circles opens their edges when it goes, and bars them again") {
   const Workspace open = with({west, east});
   const Workspace barred = with({west, rectangle({{-1, -8}, {1, 8}}), east});
   const TangentVisibilityGraph before = prepared(barred);
   const TangentVisibilityGraph after = updated(before, barred, open);
-  CHECK(after.ways(0).size() == 2);  // to both sides of the other disc
+  CHECK(after.edges(0).size() == 2);  // to both sides of the other disc
   CHECK(after == prepared(open));
   CHECK(updated(after, open, barred) == before);
 }
@@ -205,21 +205,21 @@ TEST_CASE("an obstacle that holds all the bounds bars every way, though no edge 
   const Workspace open = with({west, east});
   const Workspace covered = with({west, east, rectangle({{-10.25, -90}, {90, 90}})});
   const TangentVisibilityGraph before = prepared(open);
-  CHECK(count_ways(before) == 8);
-  CHECK(count_ways(updated(before, open, covered)) == 0);
+  CHECK(count_edges(before) == 8);
+  CHECK(count_edges(updated(before, open, covered)) == 0);
 }
 
-TEST_CASE("a hole that becomes an obstacle of its own bars the ways in it") {
+TEST_CASE("a hole that becomes an obstacle of its own bars the edges in it") {
   const Ring outer{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, inner{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}};
   const Workspace ring = with({Polygon{outer, {inner}}, west, east});
   const Workspace solid = with({Polygon{outer}, Polygon{inner}, west, east});
   const TangentVisibilityGraph before = prepared(ring);
   const TangentVisibilityGraph after = updated(before, ring, solid);
-  CHECK(count_ways(after) < count_ways(before));
+  CHECK(count_edges(after) < count_edges(before));
   CHECK(after == prepared(solid));
 }
 
-TEST_CASE("ways far from the changes are taken over without a proof") {
+TEST_CASE("edges far from the changes are taken over without a proof") {
   // Boxes that leave out what changed show it: the way through the new wall is still there.
   const Workspace open = with({west, east});
   const Workspace barred = with({west, rectangle({{-1, -8}, {1, 8}}), east});

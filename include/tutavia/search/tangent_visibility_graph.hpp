@@ -82,7 +82,7 @@ class TangentVisibilityGraph {
 
   bool is_prepared() const { return !first_edge_.empty(); }
   /// The nodes at the ends of a node's proved edges. \pre prepared
-  std::span<const Node> ways(Node node) const {
+  std::span<const Node> edges(Node node) const {
     return {edges_.data() + first_edge_[node], first_edge_[node + 1] - first_edge_[node]};
   }
   /// Whether this may be the graph of a space: compares the circles.
@@ -173,7 +173,7 @@ std::vector<TangentVisibilityGraph::Edge> TangentVisibilityGraph::edges_kept_in(
   for (Node from = 0; from < nodes(); ++from) {
     const Node new_from = indices[from / 2];
     if (new_from == none) continue;
-    for (const Node to : ways(from)) {
+    for (const Node to : edges(from)) {
       const Node new_to = indices[to / 2];
       const auto [first, second] = std::minmax({from / 2, to / 2});
       if (new_to == none || is_affected(circles_[first], circles_[second])) continue;
