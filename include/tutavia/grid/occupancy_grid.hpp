@@ -26,6 +26,7 @@ OccupancyGrid transposed(const OccupancyGrid& grid);
 }  // namespace detail
 
 /// A width x height grid of free and blocked cells, one bit each in 64-bit words, row by row.
+/// A set bit is a free cell. (The ROS message nav_msgs/OccupancyGrid is RosMap.)
 ///
 /// At least one blocked cell pads every side, so neighbours are read without bounds checks. A
 /// cell's `index` includes the padding: it addresses label arrays of `index_count()` entries.

@@ -65,7 +65,9 @@ class NavigationMesh {
            bins_.memory();
   }
 
-  /// Part of the interface shared with FreeRuns; nothing to look up here.
+  // From here on: what the search of AnyAngle asks (the concept ConvexPieces).
+
+  /// The polygon itself; other decompositions look pieces up here.
   Piece open(Piece piece) const { return piece; }
 
   /// Calls `visit(piece)` for every polygon that may touch a cell.

@@ -19,7 +19,7 @@ class Funnel {
  public:
   explicit Funnel(const Point& start) : path_{start}, chains_{start} {}
 
-  /// Adds a right end. Points that the right chain would have to bend outwards for are removed.
+  /// Adds a right end. Points that would make the right chain bend outwards are removed first.
   void add_right(const Point& p) {
     while (chains_.size() > 1) {
       const std::size_t last = chains_.size() - 1;

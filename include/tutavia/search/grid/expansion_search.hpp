@@ -39,7 +39,7 @@ inline void trace(const OccupancyGrid& grid, const GridLabels::View& labels, Cel
 }
 
 /// A search by one expansion from the start's links to the goal's. Stops when no cell can lead to a
-/// cheaper path than the best one found.
+/// cheaper path than the best one found. Models GridSearch, so `search_grid` runs it.
 template <SuccessorRule Successors, BucketHeuristic Heuristic>
 struct ExpansionSearch {
   ExpansionScratch& scratch;

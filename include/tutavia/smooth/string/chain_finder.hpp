@@ -40,8 +40,10 @@ inline PointInRing locate(const std::vector<Point>& ring, const Point& p) {
   return inside ? PointInRing::inside : PointInRing::outside;
 }
 
-/// Finds and proves the chain of circles between two bends A and C. The bends removed between them
-/// turned to one `side`. Call `find_obstacles`, then `wrap` until nothing blocks the chain.
+/// A string is a path that is pulled taut around circles, its bends. When the bends between two
+/// others, A and C, are removed, ChainFinder finds and proves the circles that the string then runs
+/// around. `side` is the direction of the removed turns: +1 left, -1 right. Call `find_obstacles`
+/// once; then `wrap` and `add_blocking` in turn until nothing blocks the chain.
 template <FeatureSpace S>
 class ChainFinder {
  public:
