@@ -10,9 +10,9 @@ using namespace tutavia;
 
 int main() {
   // As nav2_costmap_2d::Costmap2D::getCharMap() gives it: row 0 is the bottom row.
-  const int width = 120, height = 80;
-  std::vector<std::uint8_t> costs(static_cast<std::size_t>(width * height), 0);
-  for (int y = 0; y < 50; ++y) costs[static_cast<std::size_t>(y * width + 60)] = 254;
+  const std::size_t width = 120, height = 80;
+  std::vector<std::uint8_t> costs(width * height, 0);
+  for (std::size_t y = 0; y < 50; ++y) costs[y * width + 60] = 254;
 
   const auto grid = grid_from_costmap(costs, width, height, 254, RosMap::UnknownCells::blocked);
   if (!grid) {

@@ -26,8 +26,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-using tutavia::detail::to_text;
-
 std::string to_text(double value, int decimals) {
   std::array<char, 32> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);

@@ -39,7 +39,7 @@ TEST_CASE("pieces are the spline of its definition, meet with equal curvature, s
     INFO("seed " << seed << ", round " << round);
     std::vector<Point> control(4 + random.below(8));
     for (Point& p : control) p = {random.uniform(-5, 5), random.uniform(-5, 5)};
-    const std::vector<CubicBezier> pieces = detail::bezier_pieces(control);
+    const std::vector<CubicBezier> pieces = bezier_pieces(control);
     REQUIRE(pieces.size() == control.size() - 3);
     CHECK(pieces.front().start() == control.front());
     CHECK(pieces.back().end() == control.back());
@@ -67,7 +67,7 @@ TEST_CASE("pieces are the spline of its definition, meet with equal curvature, s
 TEST_CASE("three equal control points are a corner that the spline passes, its legs straight") {
   const Point corner{4, 0};
   const Point control[] = {{0, 0}, {1, 0}, corner, corner, corner, {4, 2}, {4, 3}};
-  const auto pieces = detail::bezier_pieces(control);
+  const auto pieces = bezier_pieces(control);
   REQUIRE(pieces.size() == 4);
   CHECK(pieces[1].end() == corner);
   CHECK(pieces[2].start() == corner);

@@ -36,6 +36,8 @@ inline Point blossom(std::span<const Point> control, std::size_t k, double u, do
   return p[3];
 }
 
+}  // namespace detail
+
 /// The Bezier pieces of the cubic B-spline with clamped uniform knots: one for every four
 /// consecutive control points, in whose convex hull it lies. The spline starts exactly at the first
 /// control point and ends exactly at the last one, in the directions of the first and last leg.
@@ -57,7 +59,5 @@ inline std::vector<CubicBezier> bezier_pieces(std::span<const Point> control) {
   }
   return pieces;
 }
-
-}  // namespace detail
 
 }  // namespace tutavia

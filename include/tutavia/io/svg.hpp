@@ -132,9 +132,16 @@ class SvgPicture {
   void rectangles() {
     for (const Box& box : options_.rectangles) {  // as paths, so that empty ones show their border
       const Point a = paths_.pixel(box.min), b = paths_.pixel(box.max);
-      const std::string from = SvgWriter::pair(a), right = number(b.x());
-      svg_.path("M" + from + "H" + right + "V" + number(b.y()) + "H" + number(a.x()) + "Z",
-                rectangle_style);
+      std::string path = "M";
+      path += SvgWriter::pair(a);
+      path += "H";
+      path += number(b.x());
+      path += "V";
+      path += number(b.y());
+      path += "H";
+      path += number(a.x());
+      path += "Z";
+      svg_.path(path, rectangle_style);
     }
     lines(options_.intervals, interval_style);
   }

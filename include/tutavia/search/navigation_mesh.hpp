@@ -80,10 +80,10 @@ class NavigationMesh {
   /// coordinates.
   template <class Coords>
   bool holds(Piece piece, const Point& p, const Coords& position) const {
-    for (const detail::PolygonSide& side : sides(piece)) {
-      if (orientation(position(side.right), position(side.left), p) < 0) return false;
-    }
-    return true;
+    const auto ring = sides(piece);
+    return std::all_of(ring.begin(), ring.end(), [&](const detail::PolygonSide& side) {
+      return orientation(position(side.right), position(side.left), p) >= 0;
+    });
   }
 
   /// Calls `visit(right, left, piece)` for every side shared with another polygon. The ends are

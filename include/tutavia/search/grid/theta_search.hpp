@@ -169,12 +169,12 @@ class ThetaSearch {
     }
   }
 
-  void push(std::uint32_t node, double g, std::uint32_t parent) {
-    context_.count_generated(point(node));
-    labels_.set(node, g, parent);
-    labels_.open.push(static_cast<Cost>((g + length(position(node), goal_position_)) *
+  void push(std::uint32_t reached, double g, std::uint32_t parent) {
+    context_.count_generated(point(reached));
+    labels_.set(reached, g, parent);
+    labels_.open.push(static_cast<Cost>((g + length(position(reached), goal_position_)) *
                                         static_cast<double>(straight_cost)),
-                      node, 0);
+                      reached, 0);
   }
 
   /// Lazy Theta*: if its parent does not see a node, the node gets the best of its closed

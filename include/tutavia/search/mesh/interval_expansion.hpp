@@ -59,7 +59,7 @@ class IntervalExpansion {
     for_each_piece_at(query_.start, [&](Piece piece) {
       const Opened opened = pieces_.open(piece);
       if (holds_goal(opened)) {
-        improve_goal(geometry_.length(geometry_.start(), geometry_.goal()), at_start);
+        improve_goal(IntervalGeometry::length(geometry_.start(), geometry_.goal()), at_start);
       }
       pieces_.for_each_exit(opened, [&](Cell right, Cell left, Piece beyond) {
         // Sides through the start lead to pieces that contain it as well.
@@ -203,9 +203,10 @@ class IntervalExpansion {
     }
     if ((right_of_right < 0 || left_of_right < 0) && bends.right &&
         reach_root(node.right, bends.by_right, node.root)) {
-      add_successor(node.right, bends.by_right, right, left, right,
-                    left_of_right > 0 ? geometry_.behind_on_ray(node.root, node.right, left) : left,
-                    beyond);
+      add_successor(
+          node.right, bends.by_right, right, left, right,
+          left_of_right > 0 ? IntervalGeometry::behind_on_ray(node.root, node.right, left) : left,
+          beyond);
     }
     if (left_of_right > 0 && right_of_left < 0) {
       add_successor(node.root, node.g, right, left, right_of_right >= 0 ? right : node.right_ray,
@@ -215,8 +216,8 @@ class IntervalExpansion {
         reach_root(node.left, bends.by_left, node.root)) {
       add_successor(
           node.left, bends.by_left, right, left,
-          right_of_left < 0 ? geometry_.behind_on_ray(node.root, node.left, right) : right, left,
-          beyond);
+          right_of_left < 0 ? IntervalGeometry::behind_on_ray(node.root, node.left, right) : right,
+          left, beyond);
     }
   }
 
@@ -263,10 +264,10 @@ class IntervalExpansion {
   }
 
   double distance_to(Cell root, Cell corner) const {
-    return geometry_.length(geometry_.position(root), geometry_.position(corner));
+    return IntervalGeometry::length(geometry_.position(root), geometry_.position(corner));
   }
   double distance_to_goal(Cell root) const {
-    return geometry_.length(geometry_.position(root), geometry_.goal());
+    return IntervalGeometry::length(geometry_.position(root), geometry_.goal());
   }
 
   /// Calls `visit(piece)` once for every piece that contains a point, also on its border.
