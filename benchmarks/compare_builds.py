@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Compares the results of two builds of tutavia-plan, to the last bit.
 
-    benchmarks/compare_builds.py OLD NEW                    the built-in maps and 200 random worlds
-    benchmarks/compare_builds.py OLD NEW --worlds 20        fewer worlds
+    benchmarks/compare_builds.py OLD NEW                    the built-in maps, 200 random worlds of
+                                                            polygons and discs, and 50 random grids
+    benchmarks/compare_builds.py OLD NEW --worlds 20        fewer worlds, and a quarter as many grids
     benchmarks/compare_builds.py OLD NEW FILE.json ...      these workspaces as well
 
 Each program plans every goal with every search and every smoother (--compare); what it writes with
@@ -20,7 +21,7 @@ import subprocess
 import sys
 import tempfile
 
-MAPS = ("maze", "array", "complex")
+MAPS = ("maze", "array", "complex", "rrt_scene_1", "rrt_scene_2")
 
 
 def random_world(seed):
@@ -43,6 +44,21 @@ def random_world(seed):
             "obstacles": obstacles, "start": [draw.uniform(0, 20), draw.uniform(0, 20)],
             "goals": [[draw.uniform(0, 20), draw.uniform(0, 20)]],
             "resolution": draw.choice([0.25, 0.5])}
+
+
+def random_grid(seed):
+    """A MovingAI map of up to 80 x 80 cells, and the options for a query between two free cells."""
+    draw = random.Random(seed)
+    width, height = draw.randrange(10, 80), draw.randrange(10, 80)
+    density = draw.choice([0.05, 0.2, 0.35])
+    rows = [["@" if draw.random() < density else "." for _ in range(width)] for _ in range(height)]
+    ends = [(draw.randrange(width), draw.randrange(height)) for _ in range(2)]
+    for x, y in ends:
+        rows[y][x] = "."
+    text = "\n".join(["type octile", f"height {height}", f"width {width}", "map",
+                      *map("".join, rows)]) + "\n"
+    start, goal = (f"{x + 0.5},{y + 0.5}" for x, y in ends)
+    return text, ["--start", start, "--goal", goal]
 
 
 def without_times(value):
@@ -95,12 +111,17 @@ def main():
             file = pathlib.Path(folder) / f"{seed}.json"
             file.write_text(json.dumps(random_world(seed)))
             tasks.append((f"random world {seed}", ["--workspace", str(file)]))
+        for seed in range(arguments.worlds // 4):
+            file = pathlib.Path(folder) / f"{seed}.map"
+            text, ends = random_grid(seed)
+            file.write_text(text)
+            tasks.append((f"random grid {seed}", ["--grid", str(file), *ends]))
         with concurrent.futures.ThreadPoolExecutor() as pool:
             done = list(pool.map(lambda t: compare(arguments.old, arguments.new, *t), tasks))
     differences = [(name, difference) for name, _, _, difference in done if difference]
     for name, difference in differences:
         print(f"{name}: {difference}")
-    print(f"{len(done)} workspaces, {sum(d[1] for d in done)} results, "
+    print(f"{len(done)} workspaces and grids, {sum(d[1] for d in done)} results, "
           f"{sum(d[2] for d in done)} of them without a path: {len(differences)} differ")
     return 1 if differences else 0
 
