@@ -84,7 +84,7 @@ void run_world(const Scene& scene, const Route& route, const LatticeSpace& space
       if (!curve) continue;
       row.over_taut += curve->length() / taut;
       row.travel_s += travel_time(*curve, {});
-      row.eased_s += travel_time(*curve, {.jerk = 1});
+      row.eased_s += travel_time(*curve, {.max_jerk = 1});
     }
   }
   for (std::size_t s = 0; s < smoothers.size(); ++s) {
