@@ -277,8 +277,8 @@ void compare_on(const std::string& name, const S& space, const Query& query,
               name.c_str(), step, wide, args.iterations, args.seeds);
   const std::uint32_t n = args.iterations;
   compare<RrtStar, og::RRTstar>("RRT*, radius rule, factor 1.1",
-                                {.iterations = n, .neighbours = detail::Neighbours::radius}, space,
-                                query, args, n, [&](og::RRTstar& peer) {
+                                {.iterations = n, .neighbours = Neighbours::radius}, space, query,
+                                args, n, [&](og::RRTstar& peer) {
                                   peer.setRange(step);
                                   peer.setKNearest(false);
                                   peer.setRewireFactor(1.1);
@@ -357,10 +357,10 @@ void show_convergence(const Arguments& args) {
     std::printf("%s, robot of 1 m: %.4f m\n", scene.name.c_str(), optimum);
     print_convergence("RRT*, k nearest", args, space, query, optimum, RrtStar{});
     print_convergence("RRT*, radius", args, space, query, optimum,
-                      RrtStar{.neighbours = detail::Neighbours::radius});
+                      RrtStar{.neighbours = Neighbours::radius});
     print_convergence("Informed RRT*, k nearest", args, space, query, optimum, InformedRrtStar{});
     print_convergence("Informed RRT*, radius", args, space, query, optimum,
-                      InformedRrtStar{.neighbours = detail::Neighbours::radius});
+                      InformedRrtStar{.neighbours = Neighbours::radius});
   }
 }
 

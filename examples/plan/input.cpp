@@ -34,12 +34,12 @@ void print_warnings(const std::string& path, const std::vector<std::string>& war
   }
 }
 
-detail::SceneFile read_workspace(const std::string& path) {
+SceneFile read_workspace(const std::string& path) {
   if (extension(path) == ".json") return value_or_throw(read_scene_json(path));
   if (extension(path) == ".geojson") return value_or_throw(read_geo_json(path));
   if (extension(path) == ".wkt") {
     WktObstacles read = value_or_throw(detail::read_file(path, parse_wkt));
-    detail::SceneFile file{.scene = {}, .warnings = std::move(read.warnings)};
+    SceneFile file{.scene = {}, .warnings = std::move(read.warnings)};
     file.scene.workspace.obstacles = std::move(read.obstacles);
     file.scene.workspace.safety_radius = std::numeric_limits<double>::quiet_NaN();
     return file;
@@ -49,7 +49,7 @@ detail::SceneFile read_workspace(const std::string& path) {
 
 Scene load_scene(const Arguments& args) {
   if (!args.workspace.empty()) {
-    detail::SceneFile file = read_workspace(args.workspace);
+    SceneFile file = read_workspace(args.workspace);
     print_warnings(args.workspace, file.warnings);
     return std::move(file.scene);
   }

@@ -21,6 +21,7 @@
 #include "tutavia/search/jump_table.hpp"
 #include "tutavia/search/lazy_theta_star.hpp"
 #include "tutavia/search/navigation_mesh.hpp"
+#include "tutavia/search/neighbours.hpp"
 #include "tutavia/search/node_placement.hpp"
 #include "tutavia/search/penalty_astar.hpp"
 #include "tutavia/search/query_checks.hpp"

@@ -150,7 +150,7 @@ TEST_CASE("winding agrees with the sum of angles, however the ring is written", 
     const Point p{whole(), whole()};
     bool on_ring = false;
     detail::for_each_edge(ring, [&](const Point& a, const Point& b) {
-      on_ring = on_ring || compare_distance(p, a, b, 0, 0) == 0;
+      on_ring = on_ring || detail::compare_distance(p, a, b, 0, 0) == 0;
     });
     if (on_ring) continue;
     ++tested;

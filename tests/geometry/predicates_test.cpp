@@ -108,8 +108,8 @@ TEST_CASE("segments meet exactly when fractions say so, in every case on a 4 x 4
       const IntegerPoint a = at(i), b = at(i / 16), c = at(i / 256), d = at(i / 4096);
       const bool expected = meet(a, b, c, d);
       meetings += expected;
-      if (segments_intersect(a.point(scale), b.point(scale), c.point(scale), d.point(scale)) !=
-          expected) {
+      if (detail::segments_intersect(a.point(scale), b.point(scale), c.point(scale),
+                                     d.point(scale)) != expected) {
         FAIL("case " << i << ": expected " << expected);
       }
     }
@@ -119,24 +119,26 @@ TEST_CASE("segments meet exactly when fractions say so, in every case on a 4 x 4
 
 TEST_CASE("segments that miss each other by one unit in the last place do not meet", "[geometry]") {
   const Point a(0, 0), b(24, 24), c(0.5, 0.5), above(0.5, std::nextafter(0.5, 1.0));
-  CHECK(segments_intersect(a, b, c, {0, 12}));
-  CHECK_FALSE(segments_intersect(a, b, above, {0, 12}));
-  CHECK(segments_intersect(a, b, above, {12, 0}));
-  CHECK_FALSE(segments_intersect(a, b, above, above));
-  CHECK(segments_intersect({1e9, 0}, {1e9, 1}, {1e9, 1}, {2e9, 7}));
-  CHECK_FALSE(segments_intersect({1e9, 0}, {1e9, 1}, {std::nextafter(1e9, 2e9), 1}, {2e9, 7}));
+  CHECK(detail::segments_intersect(a, b, c, {0, 12}));
+  CHECK_FALSE(detail::segments_intersect(a, b, above, {0, 12}));
+  CHECK(detail::segments_intersect(a, b, above, {12, 0}));
+  CHECK_FALSE(detail::segments_intersect(a, b, above, above));
+  CHECK(detail::segments_intersect({1e9, 0}, {1e9, 1}, {1e9, 1}, {2e9, 7}));
+  CHECK_FALSE(
+      detail::segments_intersect({1e9, 0}, {1e9, 1}, {std::nextafter(1e9, 2e9), 1}, {2e9, 7}));
 }
 
 TEST_CASE("compare_distance knows a tie from one unit in the last place", "[geometry]") {
   const auto check = [](const Point& p, const Point& a, const Point& b, double distance) {
     for (const bool flipped : {false, true}) {
       const Point &from = flipped ? b : a, &to = flipped ? a : b;
-      CHECK(compare_distance(p, from, to, distance, 0) == 0);
-      CHECK(compare_distance(p, from, to, 0, distance) == 0);
-      CHECK(compare_distance(p, from, to, 0.25 * distance, 0.75 * distance) == 0);
-      CHECK(compare_distance(p, from, to, std::nextafter(distance, 0), 0) == 1);
-      CHECK(compare_distance(p, from, to, std::nextafter(distance, 1e300), 0) == -1);
-      CHECK(compare_distance(p, from, to, distance, 0x1p-300) == -1);  // the sum is not rounded
+      CHECK(detail::compare_distance(p, from, to, distance, 0) == 0);
+      CHECK(detail::compare_distance(p, from, to, 0, distance) == 0);
+      CHECK(detail::compare_distance(p, from, to, 0.25 * distance, 0.75 * distance) == 0);
+      CHECK(detail::compare_distance(p, from, to, std::nextafter(distance, 0), 0) == 1);
+      CHECK(detail::compare_distance(p, from, to, std::nextafter(distance, 1e300), 0) == -1);
+      CHECK(detail::compare_distance(p, from, to, distance, 0x1p-300) ==
+            -1);  // the sum is not rounded
     }
   };
   check({3, 4}, {0, 0}, {0, 0}, 5);     // a point
@@ -150,11 +152,11 @@ TEST_CASE("compare_distance knows a tie from one unit in the last place", "[geom
 
 TEST_CASE("a point on the segment lies at distance 0, next to it further", "[geometry]") {
   const Point a(0, 0), b(24, 24);
-  CHECK(compare_distance({0.5, 0.5}, a, b, 0, 0) == 0);
-  CHECK(compare_distance({0.5, std::nextafter(0.5, 1)}, a, b, 0, 0) == 1);
-  CHECK(compare_distance({0.5, std::nextafter(0.5, 1)}, a, b, 0x1p-54, 0) == 1);
-  CHECK(compare_distance({0.5, std::nextafter(0.5, 1)}, a, b, 0x1p-53, 0) == -1);
-  CHECK(compare_distance(a, a, a, 0, 0) == 0);
+  CHECK(detail::compare_distance({0.5, 0.5}, a, b, 0, 0) == 0);
+  CHECK(detail::compare_distance({0.5, std::nextafter(0.5, 1)}, a, b, 0, 0) == 1);
+  CHECK(detail::compare_distance({0.5, std::nextafter(0.5, 1)}, a, b, 0x1p-54, 0) == 1);
+  CHECK(detail::compare_distance({0.5, std::nextafter(0.5, 1)}, a, b, 0x1p-53, 0) == -1);
+  CHECK(detail::compare_distance(a, a, a, 0, 0) == 0);
 }
 
 TEST_CASE("compare_distance agrees with integer arithmetic on a small grid", "[geometry]") {
@@ -174,8 +176,8 @@ TEST_CASE("compare_distance agrees with integer arithmetic on a small grid", "[g
                                            : sign(area * area - r * r * square);
     ties += expected == 0;
     INFO("round " << round);
-    CHECK(compare_distance(p.point(), a.point(), b.point(), r, 0) == expected);
-    CHECK(compare_distance(p.point(0.125), b.point(0.125), a.point(0.125), 0.125 * r, 0) ==
+    CHECK(detail::compare_distance(p.point(), a.point(), b.point(), r, 0) == expected);
+    CHECK(detail::compare_distance(p.point(0.125), b.point(0.125), a.point(0.125), 0.125 * r, 0) ==
           expected);
   }
   CHECK(ties > 50);

@@ -119,7 +119,7 @@ TEST_CASE("an approach is no longer than any sampled gap, and its place attains 
     CHECK((found.parameter >= 0 && found.parameter <= 1));
     CHECK(distance(s.point(found.parameter), other) == Approx(found.distance).margin(1e-13));
     CHECK(detail::closest_approach(other, s).distance == found.distance);
-    CHECK((found.distance == 0) == segments_intersect(s.a, s.b, other.a, other.b));
+    CHECK((found.distance == 0) == detail::segments_intersect(s.a, s.b, other.a, other.b));
   }
   CHECK(meetings > 10);
 }

@@ -236,7 +236,7 @@ struct TreeOptionsArchetype {
   std::optional<double> step{};
   double goal_bias = 0.5;
   std::uint32_t iterations = 100;
-  detail::Neighbours neighbours = detail::Neighbours::radius;
+  Neighbours neighbours = Neighbours::radius;
   double rewire_factor = 1.1;
 };
 

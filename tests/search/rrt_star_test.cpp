@@ -18,21 +18,21 @@ using namespace tutavia;
 
 TEST_CASE("RrtStar keeps the contracts of searchers and of trees, by either rule", "[soak]") {
   test::tree_contract(RrtStar{}, 0xd039bc3e07348d86);
-  test::tree_contract(RrtStar{.neighbours = detail::Neighbours::radius}, 0xcd3386779b325701);
+  test::tree_contract(RrtStar{.neighbours = Neighbours::radius}, 0xcd3386779b325701);
 }
 
 TEST_CASE("neighbour rules are those of Karaman and Frazzoli") {
-  const detail::NeighbourRule rule{detail::Neighbours::radius, 1};
+  const detail::NeighbourRule rule{Neighbours::radius, 1};
   CHECK(rule.count(1000) == 29);  // 4.0774 * 6.9078 = 28.17
   CHECK(rule.radius(1000, 2500, 50) ==
         Approx(2 * std::sqrt(1.5) * std::sqrt(2500 / 3.141592653589793) *
                std::sqrt(std::log(1000) / 1000)));
   CHECK(rule.radius(1000, 2500, 2) == 2);
   CHECK(rule.count(1) == 1);
-  CHECK(detail::NeighbourRule{detail::Neighbours::k_nearest, 1e300}.count(50) == 50);
+  CHECK(detail::NeighbourRule{Neighbours::k_nearest, 1e300}.count(50) == 50);
 }
 
-double median_ratio(std::uint32_t iterations, const Scene& scene, detail::Neighbours neighbours) {
+double median_ratio(std::uint32_t iterations, const Scene& scene, Neighbours neighbours) {
   const auto space = InflatedSpace::build(scene.workspace).value();
   Query query{.start = scene.start, .goal = scene.goals[0]};
   NoObserver no_observer;
@@ -53,8 +53,7 @@ TEST_CASE("paths become shorter with more iterations, and almost the shortest th
   for (Scene scene : {maps::rrt_scene_1(), maps::rrt_scene_2()}) {
     INFO(scene.name);
     scene.workspace.safety_radius = 1;
-    for (const detail::Neighbours rule :
-         {detail::Neighbours::k_nearest, detail::Neighbours::radius}) {
+    for (const Neighbours rule : {Neighbours::k_nearest, Neighbours::radius}) {
       const double few = median_ratio(1000, scene, rule), more = median_ratio(4000, scene, rule),
                    many = median_ratio(12000, scene, rule);
       CHECK(more < few);

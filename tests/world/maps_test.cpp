@@ -32,7 +32,7 @@ bool is_free(const Workspace& workspace, const Point& p) {
     const Polygon& polygon = std::get<Polygon>(obstacle);
     bool clear = !contains(polygon, p);
     detail::for_each_edge(polygon.outer, [&](const Point& a, const Point& b) {
-      clear = clear && compare_distance(p, a, b, workspace.safety_radius, 0) >= 0;
+      clear = clear && detail::compare_distance(p, a, b, workspace.safety_radius, 0) >= 0;
     });
     if (!clear) return false;
   }

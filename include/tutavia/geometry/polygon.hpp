@@ -124,7 +124,7 @@ inline bool folds_back(const Point& a, const Point& b, const Point& c) {
 inline bool edges_conflict(const RingEdge& x, const RingEdge& y) {
   if (x.next == y.index) return folds_back(x.a, x.b, y.b);
   if (y.next == x.index) return folds_back(y.a, y.b, x.b);
-  return segments_intersect(x.a, x.b, y.a, y.b);
+  return detail::segments_intersect(x.a, x.b, y.a, y.b);
 }
 
 }  // namespace detail

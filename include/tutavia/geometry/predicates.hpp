@@ -34,6 +34,8 @@ inline int orientation(const Point& a, const Point& b, const Point& c) {
   return detail::exact_orientation(a, b, c);
 }
 
+namespace detail {
+
 /// Whether the closed segments a-b and c-d have a point in common. Always exact; each may be a
 /// single point.
 inline bool segments_intersect(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -52,7 +54,7 @@ inline bool segments_intersect(const Point& a, const Point& b, const Point& c, c
 /// \pre `radius` and `margin` are not negative
 inline int compare_distance(const Point& p, const Point& a, const Point& b, double radius,
                             double margin) {
-  using Number = detail::ExactNumber;
+  using Number = ExactNumber;
   const Number limit = Number(radius) + margin;
   const auto compare_points = [&](const Point& q) {
     const Number dx = Number(p.x()) - q.x(), dy = Number(p.y()) - q.y();
@@ -66,8 +68,6 @@ inline int compare_distance(const Point& p, const Point& a, const Point& b, doub
   const Number area = ux * vy - uy * vx;
   return (area * area - limit * limit * squared_length).sign();
 }
-
-namespace detail {
 
 inline int exact_orientation(const Point& a, const Point& b, const Point& c) {
   using Number = ExactNumber;

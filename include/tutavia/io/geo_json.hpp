@@ -114,12 +114,12 @@ class GeoJsonReader {
 /// `bbox` gives the bounds. If they are missing, the bounds are empty and the radius is NaN, which
 /// no space accepts: set them before use. Errors: `invalid_input` as for `parse_scene_json`.
 /// Obstacles are not validated before a space is built.
-inline Expected<detail::SceneFile, Failure> parse_geo_json(std::string_view text) {
+inline Expected<SceneFile, Failure> parse_geo_json(std::string_view text) {
   return detail::json_fields::parse_json(text, detail::GeoJsonReader::read);
 }
 
 /// Reads a file with `parse_geo_json`; details of failures start with the file's name.
-inline Expected<detail::SceneFile, Failure> read_geo_json(const std::filesystem::path& path) {
+inline Expected<SceneFile, Failure> read_geo_json(const std::filesystem::path& path) {
   return detail::read_file(path, parse_geo_json);
 }
 

@@ -75,7 +75,7 @@ inline SceneFile read_scene(const nlohmann::json& json) {
 /// `{"bbox":[x0,y0,x1,y1]}`), optional `name`, `start`, `goals`, `resolution`; metres. Unknown keys
 /// are ignored; each at top level gives a warning. Errors: `invalid_input` with line and column for
 /// malformed JSON, with the field for a value of the wrong type, and those of `validate`.
-inline Expected<detail::SceneFile, Failure> parse_scene_json(std::string_view text) {
+inline Expected<SceneFile, Failure> parse_scene_json(std::string_view text) {
   auto file = detail::json_fields::parse_json(text, detail::read_scene);
   if (!file) return file;
   if (const auto valid = validate(file->scene.workspace); !valid) return Unexpected{valid.error()};
@@ -83,7 +83,7 @@ inline Expected<detail::SceneFile, Failure> parse_scene_json(std::string_view te
 }
 
 /// Reads a file with `parse_scene_json`; details of failures start with the file's name.
-inline Expected<detail::SceneFile, Failure> read_scene_json(const std::filesystem::path& path) {
+inline Expected<SceneFile, Failure> read_scene_json(const std::filesystem::path& path) {
   return detail::read_file(path, parse_scene_json);
 }
 

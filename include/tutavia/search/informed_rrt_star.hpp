@@ -12,6 +12,7 @@
 #include "tutavia/plan/query.hpp"
 #include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
+#include "tutavia/search/neighbours.hpp"
 #include "tutavia/search/tree/rewired_tree.hpp"
 
 /// \file
@@ -38,7 +39,7 @@ struct InformedRrtStar {
   std::optional<double> step{};
   double goal_bias = 0.05;  ///< share of iterations that grow towards the goal until it is reached
   std::uint32_t iterations = 3000;
-  detail::Neighbours neighbours = detail::Neighbours::k_nearest;
+  Neighbours neighbours = Neighbours::k_nearest;
   double rewire_factor = 1.1;  ///< asymptotic optimality needs more than 1
 
   template <FreeSpace S, Observer O = NoObserver>

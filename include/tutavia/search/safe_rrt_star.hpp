@@ -12,6 +12,7 @@
 #include "tutavia/plan/query.hpp"
 #include "tutavia/plan/route.hpp"
 #include "tutavia/search/concepts.hpp"
+#include "tutavia/search/neighbours.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/search/risk_zone.hpp"
 #include "tutavia/search/tree/rewired_tree.hpp"
@@ -47,7 +48,7 @@ struct SafeRrtStar {
   std::optional<double> step{};
   double goal_bias = 0.05;  ///< share of iterations that grow towards the goal until it is reached
   std::uint32_t iterations = 3000;  ///< of each tree
-  detail::Neighbours neighbours = detail::Neighbours::k_nearest;
+  Neighbours neighbours = Neighbours::k_nearest;
   double rewire_factor = 1.1;  ///< asymptotic optimality needs more than 1
   /// Width of the risk zones [m]. Default: that of `step`.
   std::optional<double> risk_width{};

@@ -198,8 +198,8 @@ inline bool InflatedSpace::segment_free_at_contact(const Point& p, const Point& 
   edges_.for_each_in(segment.box(), [&](std::uint32_t i) {
     const Feature& f = features_[i];
     if (!free || may_touch_[f.obstacle] == Touch::inside_only) return;
-    free = f.radius > 0 ? compare_distance(f.core.a, p, q, f.radius, 0) >= 0
-                        : !segments_intersect(p, q, f.core.a, f.core.b);
+    free = f.radius > 0 ? detail::compare_distance(f.core.a, p, q, f.radius, 0) >= 0
+                        : !detail::segments_intersect(p, q, f.core.a, f.core.b);
   });
   areas_.for_each_in(segment.box(), [&](std::uint32_t i) {
     const Polygon& polygon = std::get<Polygon>(workspace_.obstacles[i]);

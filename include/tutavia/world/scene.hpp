@@ -23,4 +23,10 @@ struct Scene {
   std::optional<double> resolution{};  ///< lattice spacing [m]
 };
 
+/// A parsed scene, and warnings about ignored parts.
+struct SceneFile {
+  Scene scene{};
+  std::vector<std::string> warnings{};  ///< one line each
+};
+
 }  // namespace tutavia

@@ -17,12 +17,6 @@
 
 namespace tutavia::detail {
 
-/// A parsed scene, and warnings about ignored parts.
-struct SceneFile {
-  Scene scene;
-  std::vector<std::string> warnings;  ///< one line each
-};
-
 /// Reads fields of JSON values. Each function throws a ParseError that names the field;
 /// `parse_json` turns it into a failure.
 namespace json_fields {

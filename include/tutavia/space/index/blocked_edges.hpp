@@ -18,6 +18,7 @@
 #include "tutavia/grid/bitboard/bits.hpp"
 #include "tutavia/grid/line_of_sight.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/space/concepts.hpp"
 
 /// \file
 /// BlockedEdges: the edges of the union of a grid's blocked cells.
