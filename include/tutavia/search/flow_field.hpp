@@ -24,6 +24,8 @@ namespace tutavia {
 /// several goals. Built by Dijkstra's algorithm over the whole map; 8 bytes per cell. Paths are as
 /// long as Dijkstra's. Immutable once built. It holds no reference to the space, but its members
 /// must be given the space it was built for.
+///
+/// Example: examples/flow_field.cpp.
 class FlowField {
  public:
   /// Errors: those of a query for the goals (no goals: `invalid_input`); those of the budget.

@@ -32,6 +32,8 @@ struct ValueWithError {
 ///
 /// Source: the improved RRT* of MM Science Journal, October 2023 (RRTS). This is a precise form of
 /// its "safety cost" (docs/algorithms.md).
+///
+/// Example: examples/searches_among_polygons.cpp.
 struct RiskZone {
   double width = 2;   ///< [m], positive
   double weight = 1;  ///< [m of length per m at risk 1], not negative

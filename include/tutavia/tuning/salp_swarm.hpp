@@ -41,6 +41,8 @@ concept SwarmObjective = requires(const F& value, std::span<const double> positi
 ///
 /// Source: Mirjalili et al. 2017, "Salp swarm algorithm", equations (3.1) to (3.4). `variant`
 /// selects the pseudo-code of the SSA-A* paper, which is a different algorithm.
+///
+/// Example: examples/tuning.cpp.
 struct SalpSwarm {
   /// The best position that a swarm found.
   struct Result {

@@ -93,6 +93,8 @@ double ssa_fitness(const SsaAStar& search, std::span<const S> spaces,
 /// Errors: `invalid_input` for no spaces, for another number of queries, and for a query for which
 /// A* finds no path (named by its index); `invalid_option` for a negative penalty and for weights
 /// as in SsaAStar; those of SalpSwarm::minimise.
+///
+/// Example: examples/tuning.cpp.
 template <GridSpace S>
 Expected<TunedWeights, Failure> tune_ssa(std::span<const S> spaces, std::span<const Query> queries,
                                          const SsaTraining& training = {}) {
