@@ -48,6 +48,9 @@ class LayersTest(unittest.TestCase):
     def test_this_tree_keeps_all_rules(self):
         self.assertEqual(list(check_layers.breaches(ROOT)), [])
 
+    def test_the_documentation_shows_the_table(self):
+        self.assertIn("\n".join(check_layers.table()), (ROOT / "docs/architecture.md").read_text())
+
     def test_higher_layer(self):
         self.append("world/frame.hpp", '#include "tutavia/search/astar.hpp"\n')
         self.assert_breach("world/frame.hpp", "includes search/astar.hpp from a higher layer")
