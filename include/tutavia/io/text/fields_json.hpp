@@ -15,11 +15,9 @@
 /// \file
 /// json_fields: helpers to read fields of JSON files.
 
-namespace tutavia::detail {
-
 /// Reads fields of JSON values. Each function throws a ParseError that names the field;
 /// `parse_json` turns it into a failure.
-namespace json_fields {
+namespace tutavia::detail::json_fields {
 
 using Json = nlohmann::json;
 
@@ -99,6 +97,4 @@ Expected<SceneFile, Failure> parse_json(std::string_view text, Read read) {
   }
 }
 
-}  // namespace json_fields
-
-}  // namespace tutavia::detail
+}  // namespace tutavia::detail::json_fields
