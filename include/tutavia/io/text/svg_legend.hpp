@@ -21,12 +21,12 @@ inline void goal_symbol(SvgWriter& svg, const Point& p, const std::string& colou
   svg.circle(p, 7, "fill=\"" + colour + "\" stroke=\"#ffffff\" stroke-width=\"2\"");
 }
 inline void cross_symbol(SvgWriter& svg, const Point& p) {
-  svg.stroke("M" + SvgWriter::pair({p.x() - 5, p.y() - 5}) + "l10 10m0 -10l-10 10",
+  svg.stroke(std::string("M") + SvgWriter::pair({p.x() - 5, p.y() - 5}) + "l10 10m0 -10l-10 10",
              "stroke=\"#c1121f\" stroke-width=\"2.4\"");
 }
 /// A short line.
 inline void line_symbol(SvgWriter& svg, const Point& p, std::string_view style) {
-  svg.stroke("M" + SvgWriter::pair({p.x() - 13, p.y()}) + "h26", style);
+  svg.stroke(std::string("M") + SvgWriter::pair({p.x() - 13, p.y()}) + "h26", style);
 }
 /// A small filled rectangle.
 inline void area_symbol(SvgWriter& svg, const Point& p, std::string_view style) {

@@ -40,14 +40,14 @@ struct SvgPaths {
 
   std::string of_curve(const Curve& curve) const {
     if (curve.empty()) return {};
-    std::string d = "M" + at(curve.start());
+    std::string d = std::string("M") + at(curve.start());
     for (const Piece& any : curve.pieces()) {
       if (const auto* segment = any.get_if<Segment>()) {
-        d += "L" + at(segment->b);
+        d += std::string("L") + at(segment->b);
       } else if (const auto* q = any.get_if<QuadraticBezier>()) {
-        d += "Q" + at(q->points[1]) + " " + at(q->points[2]);
+        d += std::string("Q") + at(q->points[1]) + " " + at(q->points[2]);
       } else if (const auto* c = any.get_if<CubicBezier>()) {
-        d += "C" + at(c->points[1]) + " " + at(c->points[2]) + " " + at(c->points[3]);
+        d += std::string("C") + at(c->points[1]) + " " + at(c->points[2]) + " " + at(c->points[3]);
       } else if (const auto* arc = any.get_if<Arc>()) {
         // Two halves, because SVG cannot tell a full circle from none; y points down there.
         const bool is_clockwise = (arc->sweep > 0) == y_down;
