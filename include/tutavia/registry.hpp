@@ -76,13 +76,13 @@ class SharedJumpTable {
 /// A type-erased JPS+ that prepares the table of a space at its first query.
 template <GridSpace S>
 AnySearch<S> erase_jps_plus() {
-  auto shared = std::make_shared<detail::SharedJumpTable>();
+  auto shared = std::make_shared<SharedJumpTable>();
   return {JpsPlus::name,
           [shared](const S& space, const Query& query, AnyScratch& any,
                    SearchRecord* record) -> Expected<Route, Failure> {
             const auto table = shared->prepared_for(space);
             if (!table) return Unexpected{table.error()};
-            detail::OptionalRecord observer{record};
+            OptionalRecord observer{record};
             auto& scratch = any.get<JpsPlus::Scratch>();
             return JpsPlus{*table}.search(space, query, scratch, observer);
           }};

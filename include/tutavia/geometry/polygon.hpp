@@ -124,7 +124,7 @@ inline bool folds_back(const Point& a, const Point& b, const Point& c) {
 inline bool edges_conflict(const RingEdge& x, const RingEdge& y) {
   if (x.next == y.index) return folds_back(x.a, x.b, y.b);
   if (y.next == x.index) return folds_back(y.a, y.b, x.b);
-  return detail::segments_intersect(x.a, x.b, y.a, y.b);
+  return segments_intersect(x.a, x.b, y.a, y.b);
 }
 
 }  // namespace detail
@@ -158,7 +158,7 @@ namespace detail {
 /// Whether the exact midpoint of u and v lies in the solid part of the polygon and on none of its
 /// edges.
 inline bool contains_midpoint(const Polygon& polygon, const Point& u, const Point& v) {
-  using Number = detail::ExactNumber;
+  using Number = ExactNumber;
   const Number x = Number(u.x()) + v.x(), y = Number(u.y()) + v.y();  // twice the point
   bool on_edge = false;
   const auto winding = [&](const Ring& ring) {

@@ -68,7 +68,7 @@ struct ClosestApproach {
 /// The shortest distance between two segments and a parameter of `s` that attains it: 0 if they
 /// meet (decided by exact predicates), else with the error of `distance`.
 inline ClosestApproach closest_approach(const Segment& s, const Segment& other) {
-  if (detail::segments_intersect(s.a, s.b, other.a, other.b)) {
+  if (segments_intersect(s.a, s.b, other.a, other.b)) {
     const Point d = s.b - s.a, e = other.b - other.a, gap_a = other.a - s.a;
     const double at_a = s.nearest_parameter(other.a), at_b = s.nearest_parameter(other.b);
     const double denominator = cross(d, e);
@@ -104,10 +104,10 @@ inline bool keeps_distance(const Segment& s, const Segment& core, double radius,
   if (gap > error_bound) return true;
   if (gap < -error_bound) return false;
   const auto keeps = [&](const Point& p, const Segment& q) {
-    return detail::compare_distance(p, q.a, q.b, radius, margin) >= 0;
+    return compare_distance(p, q.a, q.b, radius, margin) >= 0;
   };
-  return !detail::segments_intersect(s.a, s.b, core.a, core.b) && keeps(s.a, core) &&
-         keeps(s.b, core) && keeps(core.a, s) && keeps(core.b, s);
+  return !segments_intersect(s.a, s.b, core.a, core.b) && keeps(s.a, core) && keeps(s.b, core) &&
+         keeps(core.a, s) && keeps(core.b, s);
 }
 
 }  // namespace detail

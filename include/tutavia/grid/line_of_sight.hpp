@@ -127,7 +127,7 @@ inline bool corner_line_of_sight(const OccupancyGrid::View& rows,
     b = {b.y, b.x};
   }
   if (a == b) return true;
-  return a.y == b.y ? detail::edge_is_free(grid, a, b) : detail::corners_in_sight(grid, a, b);
+  return a.y == b.y ? edge_is_free(grid, a, b) : corners_in_sight(grid, a, b);
 }
 
 }  // namespace detail

@@ -20,8 +20,8 @@ namespace detail {
 /// Memory of A* and Dijkstra's algorithm: one part for plain searches, one for searches with cell
 /// costs or other heuristics.
 struct AStarScratch {
-  detail::ExpansionScratch expansion;
-  detail::GridGraphScratch graph;
+  ExpansionScratch expansion;
+  GridGraphScratch graph;
 };
 
 /// `invalid_option` for cell costs whose size differs from that of the space's grid.

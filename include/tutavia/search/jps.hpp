@@ -19,14 +19,14 @@ namespace detail {
 /// Scans for jump points in the stop planes of a grid (see JumpScanner).
 struct PlaneScanner {
   OccupancyGrid::View grid;
-  const detail::StopPlanes& planes;
+  const StopPlanes& planes;
 
   template <std::size_t Step>
   int straight(Cell from) const {
     return straight<Step>(planes.plane_index(from));
   }
   template <std::size_t Step>
-  int straight(const detail::StopPlanes::PlaneIndex& from) const {
+  int straight(const StopPlanes::PlaneIndex& from) const {
     const int distance = planes.template jump<Step>(from);
     const auto steps_on = static_cast<std::size_t>(distance);
     const std::size_t stop = Step == 0   ? from.in_rows + steps_on
@@ -48,7 +48,7 @@ struct PlaneScanner {
         signed_offset(d.x, planes.column_stride()) + signed_offset(d.y, 1);
     // Numbers of steps after which the goal's row and column are reached.
     const int at_row = (goal.y - from.y) * d.y, at_column = (goal.x - from.x) * d.x;
-    detail::StopPlanes::PlaneIndex at = planes.plane_index(from);
+    StopPlanes::PlaneIndex at = planes.plane_index(from);
     for (int k = 1; grid.is_free(at.in_rows + beside_x) && grid.is_free(at.in_rows + beside_y) &&
                     grid.is_free(at.in_rows + beside_x + beside_y);
          ++k) {

@@ -59,15 +59,15 @@ template <FreeSpace S>
 Expected<void, Failure> check_endpoint(const S& space, const Point& p, bool is_start) {
   const bool within = space.bounds().contains(p);  // false for NaN
   if (within && space.is_free(p)) return {};
-  Failure failure = detail::endpoint_failure(p, is_start, within);
+  Failure failure = endpoint_failure(p, is_start, within);
   if (!within) return Unexpected{std::move(failure)};
   if constexpr (ClearanceSpace<S>) {
-    detail::add_clearance(failure, space.clearance(p), space.safety_radius());
+    add_clearance(failure, space.clearance(p), space.safety_radius());
     failure.obstacle =
         space.nearest(Segment{p, p}, std::numeric_limits<double>::infinity()).obstacle;
   }
   if constexpr (FeatureSpace<S>) {
-    detail::add_nearest_safe_point(failure, nearest_free_point(space, p));
+    add_nearest_safe_point(failure, nearest_free_point(space, p));
   }
   return Unexpected{std::move(failure)};
 }

@@ -22,7 +22,7 @@ namespace detail {
 
 /// Memory of a search with a tree from each end. Holds the trees of the last query.
 struct TwoTreesScratch {
-  detail::SearchTree from_start, from_goal;
+  SearchTree from_start, from_goal;
 
   void clear() {
     from_start.clear();
