@@ -59,13 +59,9 @@ void check_optimal_searches(const S& space, const Query& query, Scratches& scrat
   check(BidirectionalAStar{}, scratch.bidirectional);
   check(PenaltyAStar{.turn_penalty = 0}, scratch.penalty);
   check(WeightedAStar{.weight = 1}, scratch.weighted);
+  if (space.movement() != MovementRule::four_connected) check(Jps{}, scratch.jps);
   if (space.movement() == MovementRule::no_cut) {
-    check(Jps{}, scratch.jps);
     check(JpsPlus{JpsPlus::prepare(space).value()}, scratch.jps_plus);
-  } else {
-    const auto refused = Jps{}.search(space, query, scratch.jps, no_observer);
-    REQUIRE_FALSE(refused);
-    CHECK(refused.error().code == PlanError::invalid_option);
   }
 }
 

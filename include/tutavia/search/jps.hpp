@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <cstdlib>
 #include <string_view>
-#include <utility>
 
 #include "tutavia/grid/bitboard/stop_planes.hpp"
+#include "tutavia/search/grid/corner_cutting_jumps.hpp"
 #include "tutavia/search/grid/jump_search.hpp"
-#include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -64,11 +65,13 @@ struct PlaneScanner {
 }  // namespace detail
 
 /// Jump point search: A* that skips cells which only continue a path. Paths have the same length as
-/// those of A*; far faster in open areas. Errors: `invalid_option` for any movement rule but
-/// `no_cut`. Other guarantees and errors as for AStar.
+/// those of A* under every rule with diagonal steps; far faster in open areas. Errors:
+/// `invalid_option` for the movement rule `four_connected`. Other guarantees and errors as for
+/// AStar.
 ///
-/// Source: Harabor and Grastien 2011, "Online graph pruning for pathfinding on grid maps", and
-/// 2014, "Improving jump point search" (diagonal jump points pruned).
+/// Source: Harabor and Grastien 2011, "Online graph pruning for pathfinding on grid maps"
+/// (`allow`), and 2014, "Improving jump point search" (`no_cut`; diagonal jump points pruned). The
+/// jump points of `no_squeeze` are derived in search/grid/corner_cutting_jumps.hpp.
 ///
 /// Example: examples/searches_on_cells.cpp.
 struct Jps {
@@ -78,8 +81,14 @@ struct Jps {
   template <JumpSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto valid = detail::check_no_cut(space, name); !valid)
-      return std::move(valid).unexpected();
+    if (space.movement() == MovementRule::four_connected) {
+      return fail(PlanError::invalid_option, "jps needs a movement rule with diagonal steps");
+    }
+    if (space.movement() != MovementRule::no_cut) {
+      const detail::CornerCuttingScanner scanner(space.grid(), space.stop_planes(),
+                                                 space.movement());
+      return detail::jump_search(space, query, scanner, scratch, observer);
+    }
     const detail::PlaneScanner scanner{space.grid().view(), space.stop_planes()};
     return detail::jump_search(space, query, scanner, scratch, observer);
   }

@@ -55,6 +55,14 @@ concept JumpScanner = requires(const S& scanner, Cell cell, void (*visit)(int, i
   scanner.template diagonal<7>(cell, cell, visit);
 };
 
+/// A scanner whose diagonals end at jump points: `diagonal` returns the number of steps to the one
+/// at which it ended, which it has not visited; 0 if there is none.
+template <class S>
+concept DiagonalStopScanner = JumpScanner<S> &&
+    requires(const S& scanner, Cell cell, void (*visit)(int, int, int)) {
+  { scanner.template diagonal<1>(cell, cell, visit) } -> std::same_as<int>;
+};
+
 /// A scanner with a prefetch: `prefetch(cell)` announces a cell from which the search will jump.
 template <class S>
 concept PrefetchingScanner = JumpScanner<S> && requires(const S& scanner, Cell cell) {

@@ -40,7 +40,7 @@ inline Cost euclidean_cost(Cell a, Cell b) {
       std::ceil(static_cast<double>(straight_cost) * std::sqrt(dx * dx + dy * dy)));
 }
 
-/// A* over the jump points of a grid under `no_cut`.
+/// A* over the jump points of a grid.
 ///
 /// Only cells with a forced neighbour enter the open list. Diagonal jump points, where a path only
 /// turns, are handled within a jump. Goals are detected during jumps and do not enter it either.
@@ -53,7 +53,7 @@ class JumpSearch {
         grid_(context.space.grid().view()),
         scanner_(scanner),
         guide_(guide),
-        table_(canonical_table(MovementRule::no_cut)),
+        table_(canonical_table(context.space.movement())),
         linked_(linked),
         labels_(scratch.labels),
         open_(scratch.open) {}
@@ -132,14 +132,23 @@ class JumpSearch {
   template <std::size_t Step>
   void jump_diagonally(Cell from, Cost g) {
     constexpr Cell d = steps[Step];
-    scanner_.template diagonal<Step>(from, linked_.goal_cell,
-                                     [&](int k, int horizontal, int vertical) {
-                                       const Cell cell{from.x + k * d.x, from.y + k * d.y};
-                                       const Cost cost = g + k * diagonal_cost;
-                                       try_exit(cell, cost, from);
-                                       jump<d.x == 1 ? 0 : 4>(cell, horizontal, cost, from);
-                                       jump<d.y == 1 ? 2 : 6>(cell, vertical, cost, from);
-                                     });
+    const auto turn = [&](int k, int horizontal, int vertical) {
+      const Cell cell{from.x + k * d.x, from.y + k * d.y};
+      const Cost cost = g + k * diagonal_cost;
+      try_exit(cell, cost, from);
+      jump<d.x == 1 ? 0 : 4>(cell, horizontal, cost, from);
+      jump<d.y == 1 ? 2 : 6>(cell, vertical, cost, from);
+    };
+    if constexpr (DiagonalStopScanner<Scanner>) {
+      const int k = scanner_.template diagonal<Step>(from, linked_.goal_cell, turn);
+      if (k == 0) return;
+      const Cell stop{from.x + k * d.x, from.y + k * d.y};
+      try_exit(stop, g + k * diagonal_cost, from);
+      if (pending_count_ == pending_.size()) label_pending(from);
+      queue_label(stop, g + k * diagonal_cost, Step);
+    } else {
+      scanner_.template diagonal<Step>(from, linked_.goal_cell, turn);
+    }
   }
 
   /// Follows a straight jump from `cell`, which is reached from `parent`.
