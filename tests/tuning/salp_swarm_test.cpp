@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <stop_token>
+#include <vector>
 
 #include "support/catch.hpp"
 
@@ -50,6 +54,48 @@ TEST_CASE("a swarm's result depends on the seed, not on the number of threads") 
   CHECK(best(1, 1) == best(1, 4));
   CHECK(best(1, 1) == best(1, 0));
   CHECK(best(1, 1) != best(2, 1));
+}
+
+TEST_CASE("a ranked swarm follows its fittest salp, and equal ones keep their order") {
+  constexpr std::size_t population = 4;
+  // All positions that are evaluated, in order, for a function of one variable.
+  const auto evaluated = [&](SalpSwarm::Order order, const auto& value) {
+    std::vector<double> positions;
+    const auto record = [&](Place x) {
+      positions.push_back(x[0]);
+      return value(x[0]);
+    };
+    const std::array<double, 1> zero{0}, one{1};
+    const SalpSwarm swarm{
+        .order = order, .population = population, .iterations = 2, .seed = 5, .threads = 1};
+    REQUIRE(swarm.minimise(record, zero, one));
+    REQUIRE(positions.size() == 3 * population);
+    return positions;
+  };
+  const auto flat = [](double) { return 1.0; };
+  CHECK(evaluated(SalpSwarm::Order::ranked, flat) == evaluated(SalpSwarm::Order::drawn, flat));
+
+  const auto falling = [](double x) { return -x; };
+  std::vector<double> x = evaluated(SalpSwarm::Order::ranked, falling);
+  CHECK_FALSE(std::is_sorted(x.begin(), x.begin() + population, std::greater<>()));
+  std::sort(x.begin(), x.begin() + population, std::greater<>());
+  for (std::size_t i = 1; i < population; ++i) {
+    CHECK(x[population + i] == 0.5 * (x[i] + x[population + i - 1]));
+  }
+}
+
+TEST_CASE("ranking does not make the swarm worse") {
+  double ranked = 0, drawn = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const auto value = [&](SalpSwarm::Order order) {
+      const SalpSwarm swarm{.order = order, .seed = seed, .threads = 1};
+      return swarm.minimise(bowl, lower, upper).value().value;
+    };
+    ranked += value(SalpSwarm::Order::ranked) / 100;
+    drawn += value(SalpSwarm::Order::drawn) / 100;
+  }
+  INFO("mean of the least values: ranked " << ranked << ", as drawn " << drawn);
+  CHECK(ranked <= drawn);
 }
 
 TEST_CASE("values that are no numbers are the worst, and a point is a bound") {

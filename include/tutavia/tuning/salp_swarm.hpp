@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tutavia/core/budget.hpp"
@@ -39,8 +41,9 @@ concept SwarmObjective = requires(const F& value, std::span<const double> positi
 /// Positions are drawn in sequence and evaluated in parallel, so the result depends on the seed
 /// alone.
 ///
-/// Source: Mirjalili et al. 2017, "Salp swarm algorithm", equations (3.1) to (3.4). `variant`
-/// selects the pseudo-code of the SSA-A* paper, which is a different algorithm.
+/// Source: Mirjalili et al. 2017, "Salp swarm algorithm", equations (3.1) to (3.4), with the
+/// ranking of the SSA-A* paper (see `Order`). `variant` selects that paper's pseudo-code, which is
+/// a different algorithm.
 ///
 /// Example: examples/tuning.cpp.
 struct SalpSwarm {
@@ -57,7 +60,14 @@ struct SalpSwarm {
     pseudo_code  ///< each salp moves near the best position (within 0.3) or half-way to it
   };
 
+  /// The order of the salps in the chain; the first ones lead.
+  enum class Order {
+    ranked,  ///< by their values, the fittest first, anew in each iteration (the SSA-A* paper)
+    drawn,   ///< as drawn at the start (Mirjalili et al.)
+  };
+
   Variant variant = Variant::equations;
+  Order order = Order::ranked;  ///< has no meaning for the pseudo-code
   std::size_t population = 10;
   std::size_t iterations = 100;
   std::size_t leaders = 1;
@@ -85,6 +95,18 @@ struct SalpSwarm {
       return fail(PlanError::invalid_option, "leaders must lie in [1, population]");
     }
     return {};
+  }
+
+  /// Sorts the salps by their values; equal ones keep their order.
+  static void rank(std::vector<Position>& salps, std::span<const double> values) {
+    std::vector<std::size_t> order(salps.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::vector<Position> ranked;
+    ranked.reserve(salps.size());
+    for (const std::size_t i : order) ranked.push_back(std::move(salps[i]));
+    salps = std::move(ranked);
   }
 
   /// Moves all salps for iteration t of 1 ... iterations.
@@ -155,6 +177,7 @@ Expected<SalpSwarm::Result, Failure> SalpSwarm::minimise(const F& value,
       }
     }
     result.training.push_back(result.value);
+    if (variant == Variant::equations && order == Order::ranked) rank(salps, found);
   }
   return result;
 }
