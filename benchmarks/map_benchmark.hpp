@@ -44,6 +44,7 @@ struct Engine {
     std::uint64_t expanded = 0;
     std::uint64_t generated = 0;
     Curve curve{};
+    std::uint64_t distinct = 0;  ///< nodes expanded at least once; 0: not counted
   };
   std::function<Answer(Cell, Cell)> run;
   double preprocess_ms = 0;
@@ -64,7 +65,8 @@ Engine engine(const CellSpace& space, const A& algorithm, std::size_t bytes) {
     const Query query{.start = space.frame().point(start), .goal = space.frame().point(goal)};
     auto route = algorithm.search(space, query, *scratch, no_observer);
     if (!route) return {};
-    return {route->cost, route->stats.expanded, route->stats.generated, std::move(route->curve)};
+    return {route->cost, route->stats.expanded, route->stats.generated, std::move(route->curve),
+            route->stats.distinct.value_or(0)};
   };
   return {run, 0, bytes};
 }
@@ -115,7 +117,7 @@ struct Benchmark {
 struct Row {
   std::string map, search;
   std::vector<double> micros;  ///< least over the rounds, per query
-  std::uint64_t expanded = 0, generated = 0;
+  std::uint64_t expanded = 0, generated = 0, distinct = 0;
   std::size_t wrong = 0, failed = 0;
   double preprocess_ms = 0, bytes_per_cell = 0;
   double sum_of_ratios = 0, max_ratio = 0;  ///< length / optimal
@@ -191,6 +193,7 @@ inline std::vector<Row> run_map(const Benchmark& benchmark, const std::string& m
         if (round > 0) continue;
         rows[s].expanded += answer.expanded;
         rows[s].generated += answer.generated;
+        rows[s].distinct += answer.distinct;
         if (!std::isfinite(answer.cost)) {
           ++rows[s].failed;
           continue;
@@ -208,14 +211,15 @@ inline std::vector<Row> run_map(const Benchmark& benchmark, const std::string& m
 
 inline std::string csv_text(const std::vector<Row>& rows, bool compares_lengths) {
   std::string text =
-      "map,search,queries,mean_us,p50_us,p99_us,expanded,generated,wrong_length,failed,"
+      "map,search,queries,mean_us,p50_us,p99_us,expanded,distinct,generated,wrong_length,failed,"
       "preprocess_ms,bytes_per_cell";
   text += compares_lengths ? ",mean_ratio,max_ratio,vertices\n" : "\n";
   char line[512];
   for (const Row& r : rows) {
-    std::snprintf(line, sizeof line, "%s,%s,%zu,%.3f,%.3f,%.3f,%llu,%llu,%zu,%zu,%.3f,%.4f",
+    std::snprintf(line, sizeof line, "%s,%s,%zu,%.3f,%.3f,%.3f,%llu,%llu,%llu,%zu,%zu,%.3f,%.4f",
                   r.map.c_str(), r.search.c_str(), r.micros.size(), r.mean(), r.percentile(0.5),
                   r.percentile(0.99), static_cast<unsigned long long>(r.expanded),
+                  static_cast<unsigned long long>(r.distinct),
                   static_cast<unsigned long long>(r.generated), r.wrong, r.failed, r.preprocess_ms,
                   r.bytes_per_cell);
     text += line;
@@ -232,8 +236,8 @@ inline std::string csv_text(const std::vector<Row>& rows, bool compares_lengths)
 /// A table for people, with the speed of each search relative to the first one.
 inline void print_table(const std::vector<Row>& rows, const std::vector<std::string>& searches,
                         bool compares_lengths) {
-  std::printf("%-18s %-20s %9s %11s %11s %9s %9s %6s %8s", "map", "search", "mean us", "expanded",
-              "generated", "ns/exp", "ns/gen", "wrong", "speed-up");
+  std::printf("%-18s %-20s %9s %11s %11s %11s %9s %9s %6s %8s", "map", "search", "mean us",
+              "expanded", "distinct", "generated", "ns/exp", "ns/gen", "wrong", "speed-up");
   std::puts(compares_lengths ? " mean length/optimal max vertices" : "");
   struct Mean {
     std::vector<double> logs;
@@ -248,8 +252,9 @@ inline void print_table(const std::vector<Row>& rows, const std::vector<std::str
     Mean& mean = r.map.starts_with("random") ? random : structured;
     mean.logs[i % searches.size()] += std::log(ratio);
     if (i % searches.size() == 0) ++mean.maps;
-    std::printf("%-18s %-20s %9.1f %11llu %11llu %9.1f %9.1f %6zu %8.2f", r.map.c_str(),
+    std::printf("%-18s %-20s %9.1f %11llu %11s %11llu %9.1f %9.1f %6zu %8.2f", r.map.c_str(),
                 r.search.c_str(), r.mean(), static_cast<unsigned long long>(r.expanded),
+                r.distinct > 0 ? std::to_string(r.distinct).c_str() : "-",
                 static_cast<unsigned long long>(r.generated),
                 total / static_cast<double>(std::max<std::uint64_t>(1, r.expanded)),
                 total / static_cast<double>(std::max<std::uint64_t>(1, r.generated)),

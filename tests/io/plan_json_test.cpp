@@ -59,6 +59,10 @@ TEST_CASE("a plan's numbers read back to the same doubles") {
        {"expanded", "generated", "search_us", "smooth_us", "certify_us", "seed"}) {
     CHECK(result["stats"].contains(key));
   }
+  CHECK_FALSE(result["stats"].contains("distinct"));
+  Plan counted = plan;
+  counted.stats.distinct = 7;
+  CHECK(Json::parse(result_to_json({}, counted).dump())["stats"]["distinct"] == 7);
 }
 
 TEST_CASE("arcs and clothoids are written with all their numbers") {

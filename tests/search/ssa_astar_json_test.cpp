@@ -21,6 +21,7 @@ using namespace tutavia;
 TEST_CASE("SSA-A* keeps the searcher contract") {
   test::searcher_contract(SsaAStar{});
   test::searcher_contract(SsaAStar{{.chebyshev = 0.5, .euclidean = 0.5, .density = 0.1}});
+  test::searcher_contract(SsaAStar{.reopen = false});
 }
 
 TEST_CASE("SSA-A* keeps its bound on random grids and finds a path where there is one", "[soak]") {
@@ -47,10 +48,55 @@ TEST_CASE("SSA-A* keeps its bound on random grids and finds a path where there i
     const double bound = std::max(1.0, w.chebyshev + w.euclidean) * shortest->cost + w.density;
     CHECK(route->cost <= bound * (1 + 1e-8));
     CHECK(route->cost >= shortest->cost * (1 - 1e-8));
+    CHECK(route->stats.distinct.value_or(0) <= route->stats.expanded);
     if (shortest->cost > 0) worst = std::max(worst, route->cost / shortest->cost);
   }
   INFO(found << " paths, the longest " << worst << " times the shortest");
   CHECK(found > test::scaled(100));
+}
+
+TEST_CASE("SSA-A* without re-opening keeps its bound, between any points", "[soak]") {
+  const std::uint64_t seed = 901;
+  Random random(seed);
+  SsaAStar::Scratch scratch, other;
+  AStar::Scratch reference;
+  NoObserver no_observer;
+  std::size_t found = 0, longer_than_reopened = 0;
+  double largest_share = 0;  // of the bound
+  for (std::size_t round = 0; round < test::scaled(500); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const auto space =
+        CellSpace::build(test::random_grid(random, 40), {.movement = test::all_rules[round % 4]})
+            .value();
+    Query query = test::random_query(random, space);
+    if (round % 3 == 0) {
+      query.start += Point(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
+      query.goal += Point(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
+    }
+    // Some weights make the density of obstacles count for more than the distances.
+    const bool is_dense = round % 5 == 0;
+    const SsaAStar::Weights w{random.uniform(0, is_dense ? 0.6 : 2),
+                              random.uniform(0, is_dense ? 0.6 : 2),
+                              random.uniform(0, is_dense ? 20 : 1)};
+    const auto shortest = AStar{}.search(space, query, reference, no_observer);
+    const auto route = SsaAStar{w, false}.search(space, query, scratch, no_observer);
+    REQUIRE(route.has_value() == shortest.has_value());
+    if (!shortest) continue;
+    ++found;
+    REQUIRE(test::is_free(space, *route));
+    const double factor = std::max(1.0, w.chebyshev + w.euclidean) + 0.26 * w.density;
+    const double bound = factor * shortest->cost + 2 * w.density;
+    CHECK(route->cost <= bound * (1 + 1e-4));  // h is rounded down to 1 / 13860 of a cell
+    if (shortest->cost > 0) largest_share = std::max(largest_share, route->cost / bound);
+    CHECK(route->stats.distinct.value_or(0) == route->stats.expanded);
+    const auto reopened = SsaAStar{w}.search(space, query, other, no_observer);
+    REQUIRE(reopened);
+    longer_than_reopened += route->cost > reopened->cost * (1 + 1e-9);
+  }
+  INFO(found << " paths, " << longer_than_reopened << " longer than with re-opening, the longest "
+             << largest_share << " of the bound");
+  CHECK(found > test::scaled(100));
+  CHECK(longer_than_reopened > 0);
 }
 
 /// The spaces and queries of one of the paper's sets.
@@ -107,6 +153,33 @@ TEST_CASE("weights tuned on some grids save expansions on others of their kind")
                                 std::span<const Query>(small.queries), training);
     CHECK(again->training == tuned->training);
   }
+}
+
+TEST_CASE("weights can be tuned for few distinct nodes") {
+  const PaperSet set("cluster_35");
+  const std::span<const CellSpace> spaces(set.spaces);
+  const std::span<const Query> queries(set.queries);
+  const auto tuned = [&](SsaTraining::Effort effort, bool reopen) {
+    SsaTraining training{.effort = effort, .reopen = reopen};
+    training.swarm.iterations = 20;
+    return tune_ssa(spaces, queries, training).value();
+  };
+  const auto nodes = tuned(SsaTraining::Effort::distinct_nodes, true);
+  CHECK(nodes.fitness < tuned(SsaTraining::Effort::expansions, true).fitness);
+  // Without re-opening, every expansion is of another node.
+  const auto closed = tuned(SsaTraining::Effort::expansions, false);
+  CHECK(closed.training == tuned(SsaTraining::Effort::distinct_nodes, false).training);
+  // The fitness is what it says.
+  double share = 0;
+  for (std::size_t i = 0; i < spaces.size(); ++i) {
+    const auto route = test::search_once(SsaAStar{nodes.weights}, spaces[i], queries[i]);
+    const auto euclidean =
+        test::search_once(AStar{.heuristic = HeuristicKind::euclidean}, spaces[i], queries[i]);
+    REQUIRE((route && euclidean));
+    share += static_cast<double>(route->stats.distinct.value()) /
+             static_cast<double>(euclidean->stats.expanded);
+  }
+  CHECK(share / static_cast<double>(spaces.size()) == Approx(nodes.fitness));
 }
 
 TEST_CASE("SSA-A* and its training refuse what they cannot use") {

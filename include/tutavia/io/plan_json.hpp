@@ -61,9 +61,11 @@ inline ResultJson to_json(const Curve& curve) {
 }
 
 inline ResultJson to_json(const Statistics& stats) {
-  return {{"expanded", stats.expanded},     {"generated", stats.generated},
-          {"search_us", stats.search_us},   {"smooth_us", stats.smooth_us},
-          {"certify_us", stats.certify_us}, {"seed", stats.seed}};
+  ResultJson json{{"expanded", stats.expanded},     {"generated", stats.generated},
+                  {"search_us", stats.search_us},   {"smooth_us", stats.smooth_us},
+                  {"certify_us", stats.certify_us}, {"seed", stats.seed}};
+  if (stats.distinct) json["distinct"] = *stats.distinct;
+  return json;
 }
 
 inline ResultJson result_head(const ResultHeader& header, std::string_view status) {

@@ -38,15 +38,15 @@ struct Outcome {
   Statistics stats;
 };
 
-template <class H>
+template <class H, class T = Untracked>
 Outcome run(const ListGraph& graph, const H& heuristic, BestFirstScratch& scratch,
-            const Budget& budget = {}) {
+            const Budget& budget = {}, const T& tracking = {}) {
   Outcome outcome;
   const test::FreeArchetype space;
   const Query query{.budget = budget};
   NoObserver no_observer;
   detail::SearchContext<test::FreeArchetype, NoObserver> context{space, query, no_observer};
-  const auto found = best_first(graph, heuristic, scratch, context);
+  const auto found = best_first(graph, heuristic, scratch, context, tracking);
   outcome.stats = context.statistics;
   if (found) {
     outcome.cost = scratch.find(graph.target())->g;
@@ -67,6 +67,15 @@ TEST_CASE("best-first search re-opens a node when a cheaper way to it is found")
   REQUIRE_FALSE(outcome.stopped);
   CHECK(outcome.cost == 12);
   CHECK(outcome.stats.expanded == 4);  // source, 2, 1, 2 again
+  CHECK_FALSE(outcome.stats.distinct);
+  const Outcome counted = run(graph, heuristic, scratch, {}, Tracked{});
+  CHECK(counted.cost == 12);
+  CHECK(counted.stats.expanded == 4);
+  CHECK(counted.stats.distinct == 3u);
+  const Outcome closed = run(graph, heuristic, scratch, {}, Tracked{Reopening::never});
+  CHECK(closed.cost == 14);
+  CHECK(closed.stats.expanded == 3);
+  CHECK(closed.stats.distinct == 3u);
 }
 
 TEST_CASE("the goal counts when it is taken from the open list, not when it is seen") {

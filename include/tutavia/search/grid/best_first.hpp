@@ -60,6 +60,16 @@ class BestFirstScratch {
     }
   };
 
+  /// Starts to track which nodes are expanded.
+  void reset_expanded(std::size_t size) { expanded_.reset(size); }
+  bool is_expanded(NodeId node) const { return expanded_.find(node) != nullptr; }
+  /// Marks a node as expanded; returns whether it is for the first time.
+  bool mark_expanded(NodeId node) {
+    const bool first = !is_expanded(node);
+    expanded_.set(node, {});
+    return first;
+  }
+
   /// Memory for the points of the path while it is traced.
   std::vector<Point>& points() { return points_; }
 
@@ -88,26 +98,57 @@ class BestFirstScratch {
   }
 
  private:
+  struct Mark {
+    std::uint32_t query = 0;
+  };
+
   StampedLabels<Label> labels_;
+  StampedLabels<Mark> expanded_;  // without memory in searches that do not track it
   OpenHeap<Entry> open_;
   std::vector<Point> points_;
   std::uint64_t sequence_ = 0;
 };
 
+/// What happens when a cheaper path to an expanded node is found.
+enum class Reopening {
+  allowed,  ///< the node is expanded again
+  never,    ///< the path is ignored
+};
+
+/// Does not track which nodes are expanded: nodes are re-opened, and the search is a little faster.
+struct Untracked {};
+/// Tracks which nodes are expanded and counts them.
+struct Tracked {
+  Reopening reopening = Reopening::allowed;
+};
+
+template <class T>
+concept Tracking = std::same_as<T, Untracked> || std::same_as<T, Tracked>;
+
 /// Searches from the source to the target in the order of least g + heuristic(node). Stops when the
-/// target is popped. Nodes are re-opened when a cheaper path to them is found, so an admissible
+/// target is popped. If nodes are re-opened when a cheaper path to them is found, an admissible
 /// heuristic gives a cheapest path even if it is not consistent. The labels' parents hold the path.
 /// Errors: `unreachable` if the open list runs empty; those of the budget.
 ///
 /// Source: Hart, Nilsson and Raphael 1968, "A formal basis for the heuristic determination of
 /// minimum cost paths"; with heuristic 0: Dijkstra 1959.
-template <SearchGraph Graph, std::invocable<NodeId> Heuristic, FreeSpace S, Observer O>
+template <SearchGraph Graph, std::invocable<NodeId> Heuristic, FreeSpace S, Observer O,
+          Tracking T = Untracked>
 Expected<void, Failure> best_first(const Graph& graph, const Heuristic& heuristic,
-                                   BestFirstScratch& scratch, SearchContext<S, O>& context) {
+                                   BestFirstScratch& scratch, SearchContext<S, O>& context,
+                                   [[maybe_unused]] const T& tracking = {}) {
+  constexpr bool is_tracked = std::same_as<T, Tracked>;
   scratch.reset(graph.size());
+  if constexpr (is_tracked) {
+    scratch.reset_expanded(graph.size());
+    context.statistics.distinct = 0;
+  }
   const auto relax = [&](NodeId node, NodeId parent, Cost g) {
     const auto* label = scratch.find(node);
     if (label != nullptr && label->g <= g) return;
+    if constexpr (is_tracked) {
+      if (tracking.reopening == Reopening::never && scratch.is_expanded(node)) return;
+    }
     scratch.push(node, parent, g, g + heuristic(node));
     context.count_generated(Point(graph.point(node)));
   };
@@ -116,6 +157,9 @@ Expected<void, Failure> best_first(const Graph& graph, const Heuristic& heuristi
     if (entry->node == graph.target()) return {};
     if (auto within = context.check_budget(); !within) return within;
     context.count_expanded(Point(graph.point(entry->node)));
+    if constexpr (is_tracked) {
+      *context.statistics.distinct += scratch.mark_expanded(entry->node) ? 1 : 0;
+    }
     graph.for_each_successor(entry->node, [&](NodeId successor, Cost cost) {
       relax(successor, entry->node, entry->g + cost);
     });

@@ -102,13 +102,15 @@ concept CellGraph = SearchGraph<G> && requires(const G& graph, NodeId node, Cost
 
 /// Best-first search on a graph of cells. `estimate(cell)` estimates the cost from a cell to the
 /// goal.
-template <CellGraph Graph, std::invocable<Cell> Estimate, GridSpace S, Observer O>
+template <CellGraph Graph, std::invocable<Cell> Estimate, GridSpace S, Observer O,
+          Tracking T = Untracked>
 Expected<GridPath, Failure> search_cells(const Graph& graph, const Estimate& estimate,
-                                         GridGraphScratch& scratch, SearchContext<S, O>& context) {
+                                         GridGraphScratch& scratch, SearchContext<S, O>& context,
+                                         const T& tracking = {}) {
   const auto heuristic = [&](NodeId node) -> Cost {
     return node >= graph.source() ? 0 : estimate(graph.cell(node));
   };
-  auto found = best_first(graph, heuristic, scratch.best_first, context);
+  auto found = best_first(graph, heuristic, scratch.best_first, context, tracking);
   if (!found) return std::move(found).unexpected();
   const BestFirstScratch& labels = scratch.best_first;
   scratch.cells.clear();
@@ -120,28 +122,30 @@ Expected<GridPath, Failure> search_cells(const Graph& graph, const Estimate& est
 }
 
 /// Best-first search on a GridGraph; see `graph_search`.
-template <StepCosts Costs, std::invocable<const GridQuery&> MakeEstimate>
+template <StepCosts Costs, std::invocable<const GridQuery&> MakeEstimate, Tracking T>
 struct GraphSearch {
   const Costs& costs;
   const MakeEstimate& make_estimate;
   GridGraphScratch& scratch;
+  T tracking;
 
   template <GridSpace S, Observer O>
   Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
     const GridGraph<S, Costs> graph(context.space, context.query, linked, costs);
-    return search_cells(graph, make_estimate(linked), scratch, context);
+    return search_cells(graph, make_estimate(linked), scratch, context, tracking);
   }
 };
 
 /// Best-first search on a GridGraph. `make_estimate(linked)` returns a function that estimates the
 /// cost from a cell to the goal. The route's cost is the path cost in metres. If steps cost their
 /// length, the straight segment is tried first.
-template <GridSpace S, StepCosts Costs, std::invocable<const GridQuery&> MakeEstimate, Observer O>
+template <GridSpace S, StepCosts Costs, std::invocable<const GridQuery&> MakeEstimate, Observer O,
+          Tracking T = Untracked>
 Expected<Route, Failure> graph_search(const S& space, const Query& query, GridGraphScratch& scratch,
                                       O& observer, const Costs& costs,
-                                      const MakeEstimate& make_estimate) {
+                                      const MakeEstimate& make_estimate, const T& tracking = {}) {
   return search_grid(space, query, observer,
-                     GraphSearch<Costs, MakeEstimate>{costs, make_estimate, scratch},
+                     GraphSearch<Costs, MakeEstimate, T>{costs, make_estimate, scratch, tracking},
                      Costs::scale == 1 ? StraightSegment::tried_first : StraightSegment::ignored);
 }
 
