@@ -85,8 +85,8 @@ class OctileCost {
 /// much its paths exceed the optimum. `Statistics::expanded` counts rectangles; `Route::cost` is
 /// the length. Errors: `invalid_option` for any movement rule but `no_cut`; others as for AStar.
 ///
-/// Source: named in Zhang, Li and Bi 2016, "Rectangle expansion A* pathfinding for grid maps"; see
-/// docs/algorithms.md for this reading of its steps.
+/// Source: the paper on improved REA* (see ImprovedReaStar) compares with SBREA* and its slide rail,
+/// without their steps; docs/algorithms.md has this reading of them. REA* itself: see ReaStar.
 ///
 /// Example: examples/searches_on_cells.cpp.
 struct SbReaStar {

@@ -53,7 +53,8 @@ inline double cell_distance(Cell a, Cell b) {
 /// length from the previous to the next node. Sweeps from first to last until no node moves or
 /// `sweeps` are done. Never lengthens the path.
 ///
-/// Source: Zhang, Li and Bi 2016 mention such a "slide-rail corner adjustment" without its steps.
+/// Source: the paper on improved REA* mentions a slide rail for the corners of SBREA*, without its
+/// steps.
 inline void slide(std::vector<CellPortal>& portals, int sweeps = 50) {
   for (bool moved = true; moved && sweeps > 0; --sweeps) {
     moved = false;
