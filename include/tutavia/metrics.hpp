@@ -4,4 +4,5 @@
 /// \file
 /// The module metrics: measures of a curve.
 
+#include "tutavia/metrics/paper_metrics.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
