@@ -62,7 +62,7 @@ double ssa_bound(const SsaAStar& search, double optimal) {
   const SsaAStar::Weights& w = search.weights;
   const double factor = std::max(1.0, w.chebyshev + w.euclidean);
   return search.reopen ? factor * optimal + w.density
-                       : (factor + 0.26 * w.density) * optimal + 2 * w.density;
+                       : (factor + w.density / 2) * optimal + w.density;
 }
 
 Engines engines() {

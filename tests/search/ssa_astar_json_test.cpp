@@ -84,8 +84,8 @@ TEST_CASE("SSA-A* without re-opening keeps its bound, between any points", "[soa
     if (!shortest) continue;
     ++found;
     REQUIRE(test::is_free(space, *route));
-    const double factor = std::max(1.0, w.chebyshev + w.euclidean) + 0.26 * w.density;
-    const double bound = factor * shortest->cost + 2 * w.density;
+    const double factor = std::max(1.0, w.chebyshev + w.euclidean) + w.density / 2;
+    const double bound = factor * shortest->cost + w.density;
     CHECK(route->cost <= bound * (1 + 1e-4));  // h is rounded down to 1 / 13860 of a cell
     if (shortest->cost > 0) largest_share = std::max(largest_share, route->cost / bound);
     CHECK(route->stats.distinct.value_or(0) == route->stats.expanded);

@@ -85,8 +85,9 @@ class OctileCost {
 /// much its paths exceed the optimum. `Statistics::expanded` counts rectangles; `Route::cost` is
 /// the length. Errors: `invalid_option` for any movement rule but `no_cut`; others as for AStar.
 ///
-/// Source: the paper on improved REA* (see ImprovedReaStar) compares with SBREA* and its slide rail,
-/// without their steps; docs/algorithms.md has this reading of them. REA* itself: see ReaStar.
+/// Source: the paper on improved REA* (see ImprovedReaStar) compares with SBREA* and its slide
+/// rail, without their steps; docs/algorithms.md has this reading of them. REA* itself: see
+/// ReaStar.
 ///
 /// Example: examples/searches_on_cells.cpp.
 struct SbReaStar {

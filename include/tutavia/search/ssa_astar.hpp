@@ -20,7 +20,7 @@ namespace tutavia {
 /// A* with the heuristic of `Weights`, which overestimates: fewer expansions for a bounded increase
 /// of length. Let C be the least cost in cells and W = max(1, w1 + w2). If cells are re-opened when
 /// a cheaper path to them is found, the path costs at most W C + w3 cells. Without re-opening
-/// (`reopen`) it costs at most (W + 0.26 w3) C + 2 w3 cells; docs/algorithms.md has the proof. On
+/// (`reopen`) it costs at most (W + w3 / 2) C + w3 cells; docs/algorithms.md has the proof. On
 /// large maps most expansions are of re-opened cells (docs/performance.md): without re-opening the
 /// search is up to 8 times as fast, its paths up to 5 % longer. `tune_ssa` finds weights for a
 /// class of maps. Errors: `invalid_option` for a weight that is negative or more than 1000; others
