@@ -24,7 +24,7 @@ int main() {
   show(space, query, Shortcut{});
   show(space, query, RedundantNodeRemoval{});
   show(space, query, TautString{});
-  show(space, query, DeltaSmoother{.join = DeltaSmoother::Join::tangent});
+  show(space, query, DeltaSmoother{.join = DeltaSmoother::Join::paper});
   show(space, query, BezierSmoother{});
   show(space, query, BSplineSmoother{});
   show(space, query, SmoothingSpline{});

@@ -93,7 +93,7 @@ TEST_CASE("searches by name give the same plans on any number of threads") {
 TEST_CASE("a batch keeps every option of its planner") {
   const Scene scene = maps::array();
   const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
-  Planner planner(WeightedAStar{.weight = 3}, DeltaSmoother{.join = DeltaSmoother::Join::tangent});
+  Planner planner(WeightedAStar{.weight = 3}, DeltaSmoother{.join = DeltaSmoother::Join::paper});
   std::vector<Query> queries;
   for (const Point& goal : scene.goals) queries.push_back({.start = scene.start, .goal = goal});
   const auto plans = plan_batch(planner, space, queries, 2);

@@ -233,7 +233,7 @@ std::vector<Curve> curves_of_all_kinds(const InflatedSpace& space, const Curve& 
   return {route,
           TautString{}.smooth(space, route, {}).value(),
           BezierSmoother{}.smooth(space, route, {}).value(),
-          DeltaSmoother{.join = DeltaSmoother::Join::tangent}.smooth(space, route, {}).value(),
+          DeltaSmoother{}.smooth(space, route, {}).value(),
           BSplineSmoother{.reach = size / 20}.smooth(space, route, {}).value(),
           chain_of_arcs(random)};
 }

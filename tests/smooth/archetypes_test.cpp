@@ -64,7 +64,7 @@ TEST_CASE("every smoother works on any space that has the operations its concept
                               BezierSmoother{}, BSplineSmoother{}, SmoothingSpline{},
                               Pipeline{Shortcut{}, BezierSmoother{}});
   runs.on<ClearanceGridArchetype>(Shortcut{}, BezierSmoother{}, TwoStageBSpline{});
-  runs.on<CornerArchetype>(DeltaSmoother{}, DeltaSmoother{.join = DeltaSmoother::Join::tangent});
+  runs.on<CornerArchetype>(DeltaSmoother{}, DeltaSmoother{.join = DeltaSmoother::Join::paper});
   runs.on<FeatureArchetype>(TautString{}, ClothoidSmoother{}, HomotopyRefine{});
   for (const auto& smoother : all_smoothers<LatticeSpace>()) {
     INFO(smoother.name);

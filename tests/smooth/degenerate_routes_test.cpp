@@ -127,8 +127,8 @@ TEST_CASE("a run along a wall is proved as a whole where its steps, rounded, are
       REQUIRE(output);
       CHECK(certify(space, *output).status == ProofStatus::proved);
     }
-    const DeltaSmoother tangent{.join = DeltaSmoother::Join::tangent};
-    const auto output = tangent.smooth(space, input, {});
+    const DeltaSmoother as_printed{.join = DeltaSmoother::Join::paper};
+    const auto output = as_printed.smooth(space, input, {});
     REQUIRE(output);
     CHECK(certify(space, *output).status == ProofStatus::proved);
   }
