@@ -34,6 +34,7 @@ inline bool may_step(const OccupancyGrid& grid, Cell from, int dx, int dy, Movem
     case MovementRule::allow:
       return true;
     case MovementRule::four_connected:
+    case MovementRule::by_edge:
       break;
   }
   return false;

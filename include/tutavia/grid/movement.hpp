@@ -19,6 +19,7 @@ enum class MovementRule {
   no_squeeze,      ///< a diagonal needs at least one of them
   allow,           ///< a diagonal needs neither
   four_connected,  ///< no diagonals
+  by_edge,         ///< none by rule: the space lists the steps of each node (see EdgeRule)
 };
 
 /// Cost of a path in exact integers: 13860 for a straight step, 19601 for a diagonal one. Their

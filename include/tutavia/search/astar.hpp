@@ -72,7 +72,7 @@ struct AStar {
             };
           });
     }
-    if (heuristic != HeuristicKind::octile) {
+    if (heuristic != HeuristicKind::octile || space.movement() == MovementRule::by_edge) {
       return detail::graph_search(space, query, scratch.graph, observer, detail::PlainStepCosts{},
                                   [this](const detail::GridQuery& linked) {
                                     return detail::GoalEstimate(heuristic, linked);

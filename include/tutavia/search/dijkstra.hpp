@@ -34,6 +34,10 @@ struct Dijkstra {
       return detail::graph_search(space, query, scratch.graph, observer, *costs,
                                   [](const detail::GridQuery&) { return detail::ZeroHeuristic(); });
     }
+    if (space.movement() == MovementRule::by_edge) {
+      return detail::graph_search(space, query, scratch.graph, observer, detail::PlainStepCosts{},
+                                  [](const detail::GridQuery&) { return detail::ZeroHeuristic(); });
+    }
     const detail::ExpansionSearch<detail::SuccessorRule::all, detail::ZeroHeuristic> expansion{
         scratch.expansion};
     return detail::search_grid(space, query, observer, expansion);

@@ -28,11 +28,13 @@ namespace tutavia {
 /// Example: examples/flow_field.cpp.
 class FlowField {
  public:
-  /// Errors: those of a query for the goals (no goals: `invalid_input`); those of the budget.
+  /// Errors: those of a query for the goals (no goals: `invalid_input`); `invalid_option` for a
+  /// space without a movement rule; those of the budget.
   template <GridSpace S>
   static Expected<FlowField, Failure> build(const S& space, std::span<const Point> goals,
                                             const Budget& budget = {}) {
     if (goals.empty()) return fail(PlanError::invalid_input, "no goals");
+    if (auto valid = detail::check_has_rule(space); !valid) return std::move(valid).unexpected();
     FlowField field;
     std::vector<detail::CellLink> seeds;
     for (const Point& goal : goals) {

@@ -13,6 +13,7 @@
 #include "tutavia/search/grid/goal_estimate.hpp"
 #include "tutavia/search/grid/grid_graph.hpp"
 #include "tutavia/search/grid/search_grid.hpp"
+#include "tutavia/search/grid/step_rule.hpp"
 #include "tutavia/search/heuristic.hpp"
 
 /// \file
@@ -58,7 +59,7 @@ struct PenaltyAStar {
     const Query& query;
     const detail::GridQuery& linked;
     OccupancyGrid::View grid;
-    const detail::SuccessorTable& table;
+    detail::StepRule steps_from;
     double unit;  // cost of one metre
     Cost eighth;  // cost of a turn by 45 degrees
 
@@ -83,7 +84,7 @@ struct PenaltyAStar {
       }
       const Cell from = cell(node);
       const auto arrival = static_cast<int>(node % 16);
-      for (unsigned left = table[grid.neighbourhood(node / 16)]; left != 0; left &= left - 1) {
+      for (unsigned left = steps_from(node / 16); left != 0; left &= left - 1) {
         const int step = std::countr_zero(left);
         const int turn = arrival == static_cast<int>(detail::no_step)
                              ? 0
@@ -98,6 +99,7 @@ struct PenaltyAStar {
   struct HeadingSearch {
     double turn_penalty;
     detail::GridGraphScratch& scratch;
+    static constexpr bool takes_any_steps = true;
 
     template <GridSpace S, Observer O>
     Expected<detail::GridPath, Failure> run(const detail::GridQuery& linked,
@@ -109,7 +111,7 @@ struct PenaltyAStar {
           .query = context.query,
           .linked = linked,
           .grid = space.grid().view(),
-          .table = detail::all_successors(space.movement()),
+          .steps_from = detail::StepRule(space),
           .unit = unit,
           .eighth = static_cast<Cost>(std::lround(turn_penalty * std::numbers::pi / 4 * unit))};
       return detail::search_cells(graph, detail::GoalEstimate(HeuristicKind::octile, linked),

@@ -83,6 +83,15 @@ Expected<void, Failure> check_query(const S& space, const Query& query) {
 
 namespace detail {
 
+/// Returns `invalid_option` if the space has no movement rule, but steps of each node's own.
+template <GridSpace S>
+Expected<void, Failure> check_has_rule(const S& space) {
+  if (space.movement() != MovementRule::by_edge) return {};
+  return fail(PlanError::invalid_option,
+              "this search needs the same movement rule everywhere; on a lattice with EdgeRule::"
+              "paper_strict use astar, dijkstra, weighted_astar, penalty_astar or theta_star");
+}
+
 /// Returns `invalid_option` unless the space has the movement rule `no_cut`.
 template <GridSpace S>
 Expected<void, Failure> check_no_cut(const S& space, std::string_view search) {

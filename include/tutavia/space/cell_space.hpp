@@ -48,7 +48,7 @@ struct CellOptions {
 class CellSpace {
  public:
   /// Errors: `invalid_option` for a resolution that is not positive, an origin that is not finite
-  /// or too far away for exact coordinates, or a negative radius.
+  /// or too far away for exact coordinates, a negative radius, or the movement rule `by_edge`.
   static Expected<CellSpace, Failure> build(OccupancyGrid cells, const CellOptions& options = {});
 
   /// The grid of the cells that a path may step on.
@@ -147,6 +147,9 @@ inline Expected<double, Failure> coordinate_quantum(const OccupancyGrid& cells,
   }
   if (!(options.safety_radius >= 0) || !std::isfinite(options.safety_radius)) {
     return fail(PlanError::invalid_option, "safety_radius must be finite and not negative");
+  }
+  if (options.movement == MovementRule::by_edge) {
+    return fail(PlanError::invalid_option, "movement by_edge is not defined for cells");
   }
   if (!is_finite(options.origin)) {
     return fail(PlanError::invalid_option, "origin must be finite");

@@ -3,19 +3,40 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/concepts.hpp"
 #include "tutavia/space/grid_builder.hpp"
 #include "tutavia/space/index/grid_layer.hpp"
+#include "tutavia/space/index/strict_edges.hpp"
 #include "tutavia/space/inflated_space.hpp"
 
 /// \file
 /// LatticeSpace: the free space of a workspace with a lattice of safe nodes.
 
 namespace tutavia {
+
+/// Which nodes of a lattice are free, and how they are joined.
+enum class EdgeRule {
+  /// Nodes have the clearance with which every step that the movement rule allows is safe (see
+  /// GridBuilder). No step needs a test of its own.
+  uniform,
+  /// The rule of Abdulshaheed 2025, "A Delta-Smoothed Path Algorithm", section 3, to reproduce its
+  /// tables: nodes lie outside safety zones with mitred corners; two nodes are joined if the
+  /// segment between them does, and if their distance, computed in double precision, is at most
+  /// sqrt(2) delta without any tolerance. About half of the diagonals fail that comparison by
+  /// rounding errors alone, which makes the paper's A* paths longer than those of an 8-connected
+  /// lattice. `movement` must be left alone; `movement()` is `by_edge`, and searches that need a
+  /// movement rule answer `invalid_option`. The paper's paths may touch the zones. So that rounding
+  /// does not part them, the space's safety radius is smaller than the workspace's by 1e-9 m. Every
+  /// step is proved at that radius.
+  paper_strict,
+};
 
 /// Options of the lattice.
 struct LatticeOptions {
@@ -24,6 +45,7 @@ struct LatticeOptions {
   std::optional<double> resolution{};
   MovementRule movement = MovementRule::no_cut;    ///< every rule is safe on a lattice
   std::int64_t max_nodes = std::int64_t{1} << 28;  ///< more than these: limit_exceeded
+  EdgeRule edges = EdgeRule::uniform;
 };
 
 /// The free space of a workspace with a lattice on which every step is safe (see GridBuilder), so a
@@ -32,17 +54,33 @@ struct LatticeOptions {
 class LatticeSpace {
  public:
   /// Errors: `invalid_input` for a workspace that `validate` rejects, `invalid_option` for a
-  /// resolution that is not positive and finite, `limit_exceeded` for more than `max_nodes` nodes.
+  /// resolution that is not positive and finite and for a movement rule that `edges` does not
+  /// allow, `limit_exceeded` for more than `max_nodes` nodes.
   static Expected<LatticeSpace, Failure> build(const Workspace& workspace,
                                                const LatticeOptions& options) {
-    auto space = InflatedSpace::build(workspace);
+    const bool is_strict = options.edges == EdgeRule::paper_strict;
+    if (options.movement == MovementRule::by_edge ||
+        (is_strict && options.movement != MovementRule::no_cut)) {
+      return fail(PlanError::invalid_option,
+                  "movement by_edge is what EdgeRule::paper_strict gives, and takes no other");
+    }
+    Workspace obstacles = workspace;
+    if (is_strict) obstacles.safety_radius = std::max(workspace.safety_radius - 1e-9, 0.0);
+    auto space = InflatedSpace::build(std::move(obstacles));
     if (!space) return Unexpected{space.error()};
     auto sampled = grid_builder(*space).build(
         {.resolution = options.resolution.value_or(default_resolution(workspace.bounds)),
          .max_nodes = options.max_nodes});
     if (!sampled) return Unexpected{sampled.error()};
-    return LatticeSpace(std::move(*space), detail::GridLayer(std::move(sampled->grid),
-                                                             sampled->frame, options.movement));
+    std::shared_ptr<const detail::StrictEdges> edges;
+    if (is_strict) {
+      edges = std::make_shared<const detail::StrictEdges>(
+          detail::strict_edges(*space, sampled->frame, sampled->grid));
+    }
+    return LatticeSpace(std::move(*space),
+                        detail::GridLayer(std::move(sampled->grid), sampled->frame,
+                                          is_strict ? MovementRule::by_edge : options.movement),
+                        std::move(edges));
   }
 
   /// The free space without the lattice.
@@ -72,6 +110,10 @@ class LatticeSpace {
   const OccupancyGrid& grid() const { return layer_.grid(); }
   const Frame& frame() const { return layer_.frame(); }
   MovementRule movement() const { return layer_.movement(); }
+  /// The steps of every node by its index in `grid()`; empty unless `movement()` is `by_edge`.
+  std::span<const StepSet> edge_steps() const {
+    return edges_ != nullptr ? std::span<const StepSet>(edges_->steps) : std::span<const StepSet>();
+  }
   const detail::StopPlanes& stop_planes() const { return layer_.stop_planes(); }
   const OccupancyGrid& columns() const { return layer_.columns(); }
 
@@ -80,24 +122,29 @@ class LatticeSpace {
   EndpointLinks links(const Point& p) const {
     if (!bounds().contains(p)) return {};
     return layer_.links(p, 1e-9 * frame().resolution,
-                        [this](const Point& a, const Point& b) { return segment_free(a, b); });
+                        [this](const Point& a, const Point& b) { return can_join(a, b); });
   }
 
   /// Whether the segment between two nodes is free.
-  bool line_of_sight(Cell a, Cell b) const {
-    return segment_free(frame().point(a), frame().point(b));
-  }
+  bool line_of_sight(Cell a, Cell b) const { return can_join(frame().point(a), frame().point(b)); }
 
  private:
+  /// Whether a segment is free, with EdgeRule::paper_strict also by the paper's zones.
+  bool can_join(const Point& p, const Point& q) const {
+    return segment_free(p, q) && (edges_ == nullptr || !edges_->zones.enters(p, q));
+  }
+
   static double default_resolution(const Box& bounds) {
     return std::max(bounds.width(), bounds.height()) / 200;
   }
 
-  LatticeSpace(InflatedSpace space, detail::GridLayer layer)
-      : inflated_(std::move(space)), layer_(std::move(layer)) {}
+  LatticeSpace(InflatedSpace space, detail::GridLayer layer,
+               std::shared_ptr<const detail::StrictEdges> edges)
+      : inflated_(std::move(space)), layer_(std::move(layer)), edges_(std::move(edges)) {}
 
   InflatedSpace inflated_;
   detail::GridLayer layer_;
+  std::shared_ptr<const detail::StrictEdges> edges_;  // null: those of the movement rule
 };
 
 }  // namespace tutavia

@@ -37,6 +37,7 @@ bool may_step(std::size_t around, Cell step, MovementRule rule) {
     case MovementRule::allow:
       return true;
     case MovementRule::four_connected:
+    case MovementRule::by_edge:
       break;
   }
   return false;

@@ -28,7 +28,7 @@ constexpr bool is_free(Neighbourhood around, std::size_t step) {
 }
 
 constexpr bool can_step(Neighbourhood around, std::size_t step, MovementRule rule) {
-  if (!is_free(around, step)) return false;
+  if (!is_free(around, step) || rule == MovementRule::by_edge) return false;
   if (!is_diagonal(step) || rule == MovementRule::allow) return true;
   const bool left = is_free(around, (step + 1) % 8), right = is_free(around, step - 1);
   return rule == MovementRule::no_cut ? left && right
@@ -111,9 +111,10 @@ inline CanonicalTable make_canonical_table(MovementRule rule) {
 /// The successor table of a rule, built at its first use: as a constant expression it would add a
 /// fifth of a second to the compilation of every file that includes this header.
 inline const SuccessorTable& all_successors(MovementRule rule) {
-  static const std::array<SuccessorTable, 4> tables{
+  static const std::array<SuccessorTable, 5> tables{
       successor_table(MovementRule::no_cut), successor_table(MovementRule::no_squeeze),
-      successor_table(MovementRule::allow), successor_table(MovementRule::four_connected)};
+      successor_table(MovementRule::allow), successor_table(MovementRule::four_connected),
+      successor_table(MovementRule::by_edge)};
   return tables[static_cast<std::size_t>(rule)];
 }
 
@@ -131,6 +132,8 @@ inline const CanonicalTable& canonical_table(MovementRule rule) {
       return canonical_table<MovementRule::allow>();
     case MovementRule::four_connected:
       return canonical_table<MovementRule::four_connected>();
+    case MovementRule::by_edge:
+      return canonical_table<MovementRule::by_edge>();
     case MovementRule::no_cut:
       break;
   }

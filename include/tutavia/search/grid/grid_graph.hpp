@@ -10,6 +10,7 @@
 #include "tutavia/search/grid/best_first.hpp"
 #include "tutavia/search/grid/grid_query.hpp"
 #include "tutavia/search/grid/search_grid.hpp"
+#include "tutavia/search/grid/step_rule.hpp"
 
 /// \file
 /// GridGraph: a grid with a query's start and goal linked to it, as a SearchGraph.
@@ -39,7 +40,7 @@ class GridGraph {
       : space_(space),
         grid_(space.grid().view()),
         cells_(space.grid().index_count()),
-        table_(all_successors(space.movement())),
+        steps_from_(space),
         query_(query),
         linked_(linked),
         costs_(costs) {}
@@ -61,7 +62,7 @@ class GridGraph {
       return;
     }
     const Cell cell = grid_.cell(node);
-    for (unsigned left = table_[grid_.neighbourhood(node)]; left != 0; left &= left - 1) {
+    for (unsigned left = steps_from_(node); left != 0; left &= left - 1) {
       const auto step = static_cast<std::size_t>(std::countr_zero(left));
       visit(id(cell + steps[step]), costs_.step_cost(cell, step));
     }
@@ -80,7 +81,7 @@ class GridGraph {
   const S& space_;
   OccupancyGrid::View grid_;
   std::size_t cells_;
-  const SuccessorTable& table_;
+  StepRule steps_from_;
   const Query& query_;
   const GridQuery& linked_;
   const Costs& costs_;
@@ -128,6 +129,7 @@ struct GraphSearch {
   const MakeEstimate& make_estimate;
   GridGraphScratch& scratch;
   T tracking;
+  static constexpr bool takes_any_steps = true;
 
   template <GridSpace S, Observer O>
   Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {

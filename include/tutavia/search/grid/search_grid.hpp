@@ -36,15 +36,24 @@ concept GridSearch = requires(const G& search, const GridQuery& linked,
   { search.run(linked, context) } -> std::same_as<Expected<GridPath, Failure>>;
 };
 
+/// A search that follows the steps of a StepRule, whatever they are. Others rely on the regularity
+/// of a movement rule.
+template <class G>
+concept AnyStepSearch = G::takes_any_steps;
+
 /// Searches a grid. Start and goal are linked to it; unless both are cells, the straight segment
 /// between them may be tried first.
 ///
 /// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also if no cell around the
-/// point can be reached from it; `unreachable_at_resolution`; those of the search.
+/// point can be reached from it; `invalid_option` if the search needs a movement rule and the space
+/// has none; `unreachable_at_resolution`; those of the search.
 template <LinkedSpace S, Observer O, GridSearch<S, O> Search>
 Expected<Route, Failure> search_grid(const S& space, const Query& query, O& observer,
                                      const Search& search,
                                      StraightSegment straight = StraightSegment::tried_first) {
+  if constexpr (GridSpace<S> && !AnyStepSearch<Search>) {
+    if (auto valid = check_has_rule(space); !valid) return std::move(valid).unexpected();
+  }
   auto linked = link_to_grid(space, query, straight);
   if (!linked) return std::move(linked).unexpected();
   const Frame& frame = space.frame();

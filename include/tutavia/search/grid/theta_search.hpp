@@ -18,6 +18,7 @@
 #include "tutavia/search/grid/grid_query.hpp"
 #include "tutavia/search/grid/search_context.hpp"
 #include "tutavia/search/grid/search_grid.hpp"
+#include "tutavia/search/grid/step_rule.hpp"
 #include "tutavia/search/grid/wide_bucket_queue.hpp"
 #include "tutavia/search/mesh/corner_graph.hpp"
 #include "tutavia/search/node_placement.hpp"
@@ -69,8 +70,7 @@ class ThetaScratch {
 template <LineOfSightSpace S>
 auto successors_of(const S& space) {
   if constexpr (GridSpace<S>) {
-    return [grid = space.grid().view(), &table = all_successors(space.movement())](
-               std::size_t index) -> unsigned { return table[grid.neighbourhood(index)]; };
+    return StepRule(space);
   } else {
     return [&space](std::size_t index) -> unsigned { return space.successors(index); };
   }
@@ -249,6 +249,7 @@ class ThetaSearch {
 template <SightTest Test>
 struct ThetaGridSearch {
   ThetaScratch& scratch;
+  static constexpr bool takes_any_steps = true;
 
   template <LineOfSightSpace S, Observer O>
   Expected<GridPath, Failure> run(const GridQuery& linked, SearchContext<S, O>& context) const {
