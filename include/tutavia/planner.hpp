@@ -10,6 +10,7 @@
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/no_smoothing.hpp"
+#include "tutavia/smooth/route/risk_runs.hpp"
 
 /// \file
 /// Planner: search, smoothing and proof in one call.
@@ -39,7 +40,8 @@ concept PlannableSpace = ClearanceSpace<S> && Searcher<Search, S> && Smoother<Sm
 /// `plan` returns a curve that is proved to keep the space's safety radius, or a failure. If the
 /// smoothed curve is not proved, the plan uses the route's own curve (`fell_back`); if that is not
 /// proved either, the result is `not_proved`. If the deadline passes during smoothing or its proof,
-/// the route is still proved and returned. A cancelled query returns `cancelled`.
+/// the route is still proved and returned. A cancelled query returns `cancelled`. If the search
+/// avoided a risk zone (SafeRrtStar), the smoothed curve avoids it wherever the route does.
 ///
 /// The planner owns the search's scratch memory: use one planner per thread. Threads may share a
 /// space.
@@ -77,7 +79,7 @@ class Planner {
 
     Plan plan;
     plan.route = std::move(*route);
-    auto smoothed = smoother_.smooth(space, plan.route.curve, query.budget);
+    auto smoothed = detail::smooth_outside_risk(space, smoother_, plan.route, query.budget);
     stats.smooth_us = watch.lap();
     if (smoothed) {
       plan.curve = std::move(*smoothed);

@@ -15,6 +15,10 @@ struct Route {
   /// The minimised cost: the length [m], unless the searcher documents another one.
   double cost = 0;
   Statistics stats{};
+  /// Width of the risk zone that the search avoided [m], 0 without one, and its weight (see
+  /// RiskZone). Planner keeps the smoothed curve out of the zone wherever the route is out of it.
+  double risk_width = 0;
+  double risk_weight = 0;
 };
 
 }  // namespace tutavia

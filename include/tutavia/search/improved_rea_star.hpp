@@ -25,22 +25,34 @@ enum class ExitCost {
   last_leg,    ///< from the midpoint of the previous exit alone, as in the paper's formula
 };
 
+/// Towards what ImprovedReaStar estimates the rest of the way from an exit.
+enum class ExitTarget {
+  goal,         ///< the root of the other side
+  newest_exit,  ///< the midpoint of the exit that the other side expanded last, as in the paper
+};
+
 namespace detail {
 
 /// Evaluates exits by the distances between their midpoints: f = g + (1 + w) h. The weight w
-/// decreases as the exit's direction aligns with the direction to the goal.
+/// decreases as the exit's direction aligns with the direction to the target.
 class MidpointCost {
  public:
   ExitCost exit_cost = ExitCost::cumulative;
+  ExitTarget target = ExitTarget::goal;
 
   void reset(Cell goal, Cost, const OccupancyGrid& grid) {
-    goal_ = {static_cast<double>(goal.x), static_cast<double>(goal.y)};
+    target_ = {static_cast<double>(goal.x), static_cast<double>(goal.y)};
     size_ = {static_cast<double>(grid.width()), static_cast<double>(grid.height())};
   }
 
   double root(Exit& root, Cost cost) {
     root.g = static_cast<double>(cost) / static_cast<double>(straight_cost);
-    return root.g + (goal_ - middle(root.cells)).norm();
+    return root.g + (target_ - middle(root.cells)).norm();
+  }
+
+  /// Tells of the exit that the other side has expanded last.
+  void aim_at(const CellInterval& newest) {
+    if (target == ExitTarget::newest_exit) target_ = middle(newest);
   }
 
   double enter(Exit& exit, const Exit& parent) {
@@ -48,7 +60,7 @@ class MidpointCost {
     const double leg = (at - middle(parent.cells)).norm();
     exit.g = parent.g + leg;
     const double g = exit_cost == ExitCost::cumulative ? exit.g : leg;
-    return g + (1 + weight(exit.cells, at)) * (goal_ - at).norm();
+    return g + (1 + weight(exit.cells, at)) * (target_ - at).norm();
   }
 
   /// Nodes are placed only when the path is known.
@@ -70,14 +82,14 @@ class MidpointCost {
 
   double weight(const CellInterval& cells, const Point& at) const {
     const auto sign = [](double v) { return (v > 0) - (v < 0); };
-    const std::array<int, 2> to_goal{sign(goal_.x() - at.x()), sign(goal_.y() - at.y())};
+    const std::array<int, 2> ahead{sign(target_.x() - at.x()), sign(target_.y() - at.y())};
     const auto along = static_cast<std::size_t>(cells.axis);
-    const int agreement = to_goal[1 - along] * cells.side;
-    const int differs = std::abs(to_goal[0]) + std::abs(to_goal[1]) - agreement;
+    const int agreement = ahead[1 - along] * cells.side;
+    const int differs = std::abs(ahead[0]) + std::abs(ahead[1]) - agreement;
     return differs / size_[static_cast<Eigen::Index>(along)];
   }
 
-  Point goal_ = Point::Zero(), size_ = Point::Zero();
+  Point target_ = Point::Zero(), size_ = Point::Zero();
 };
 
 /// The paper's numbering of directions: north (towards lower rows) 1, south 2, west 3, east 4.
@@ -182,6 +194,7 @@ struct ImprovedReaStar {
   using Scratch = detail::BidirectionalRectanglesScratch<detail::MidpointCost>;
 
   ExitCost exit_cost = ExitCost::cumulative;
+  ExitTarget target = ExitTarget::goal;
   /// Whether to continue after the two searches have met, until no key is smaller than the length
   /// of the best known path through midpoints.
   bool continue_after_contact = false;
@@ -193,7 +206,10 @@ struct ImprovedReaStar {
   template <detail::ColumnLineOfSightSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    for (auto& expansion : scratch.expansions) expansion.evaluation.exit_cost = exit_cost;
+    for (auto& expansion : scratch.expansions) {
+      expansion.evaluation.exit_cost = exit_cost;
+      expansion.evaluation.target = target;
+    }
     return detail::bidirectional_rectangles(
         space, query, scratch, observer, name, continue_after_contact,
         [&](std::vector<detail::CellPortal>& portals, std::size_t meeting,

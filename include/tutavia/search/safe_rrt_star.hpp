@@ -29,8 +29,8 @@ namespace tutavia {
 /// The first tree grows outside the zones. If it finds no path, or start or goal lies in a zone, a
 /// second tree grows in all of free space; its path cost is length plus weighted risk (`RiskZone`).
 /// Redundant nodes are then removed, which makes the path neither longer nor costlier. The method's
-/// last stage is a smoother: `Planner{SafeRrtStar{}, BSplineSmoother{.prune = false}}`, whose curve
-/// may enter the zones.
+/// last stage is a smoother: `Planner{SafeRrtStar{}, BSplineSmoother{}}`. The planner treats the
+/// zones as obstacles where the route stays outside of them; the route names them (`risk_width`).
 ///
 /// The cost of the route is its length plus the weighted risk. All else is as for `RrtStar`; an
 /// observer receives improved paths before nodes are removed.
@@ -129,7 +129,15 @@ Expected<Route, Failure> SafeRrtStar::search(const S& space, const Query& query,
   if (auto valid = risk_zone.check(); !valid) return std::move(valid).unexpected();
   const detail::OutsideRiskZone outside(space, risk_zone);
   scratch.tree.reset(space.bounds(), query.start);
-  if (auto straight = detail::straight_route(outside, query)) return std::move(*straight);
+  const auto with_zone = [&](Expected<Route, Failure> route) {
+    if (route) {
+      route->risk_width = risk_zone.width;
+      route->risk_weight = risk_zone.weight;
+    }
+    return route;
+  };
+  if (auto straight = detail::straight_route(outside, query))
+    return with_zone(std::move(*straight));
 
   const auto grow = [&](const auto& where, const auto& edge_cost,
                         const Statistics& before) -> Expected<Route, Failure> {
@@ -144,13 +152,15 @@ Expected<Route, Failure> SafeRrtStar::search(const S& space, const Query& query,
   Statistics spent;
   if (keep_out && outside.is_free(query.start) && outside.is_free(query.goal)) {
     auto route = grow(outside, detail::LengthCost{}, spent);
-    if (route || !detail::check_budget(query.budget, route.error().stats.expanded)) return route;
+    if (route || !detail::check_budget(query.budget, route.error().stats.expanded)) {
+      return with_zone(std::move(route));
+    }
     spent = route.error().stats;
   }
   const auto cost = [&](const Point& p, const Point& q, double) {
     return risk_zone.cost(space, p, q);
   };
-  return grow(space, cost, spent);
+  return with_zone(grow(space, cost, spent));
 }
 
 }  // namespace tutavia

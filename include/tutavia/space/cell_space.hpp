@@ -51,6 +51,14 @@ class CellSpace {
   /// or too far away for exact coordinates, a negative radius, or the movement rule `by_edge`.
   static Expected<CellSpace, Failure> build(OccupancyGrid cells, const CellOptions& options = {});
 
+  /// The space of the same cells at another safety radius [m]. Errors: those of `build`.
+  Expected<CellSpace, Failure> with_safety_radius(double radius) const {
+    return build(cells(), {.resolution = frame().resolution,
+                           .origin = corner({0, 0}),
+                           .safety_radius = radius,
+                           .movement = movement()});
+  }
+
   /// The grid of the cells that a path may step on.
   const OccupancyGrid& grid() const { return layer_.grid(); }
   /// The map as given to `build`.

@@ -34,6 +34,14 @@ class InflatedSpace {
   /// Errors: those of `validate(workspace)`.
   static Expected<InflatedSpace, Failure> build(Workspace workspace);
 
+  /// The free space of the same obstacles at another safety radius [m].
+  /// Errors: `invalid_input` for a radius that `validate` rejects.
+  Expected<InflatedSpace, Failure> with_safety_radius(double radius) const {
+    Workspace workspace = workspace_;
+    workspace.safety_radius = radius;
+    return build(std::move(workspace));
+  }
+
   const Workspace& workspace() const { return workspace_; }
   const Box& bounds() const { return workspace_.bounds; }
   double safety_radius() const { return workspace_.safety_radius; }

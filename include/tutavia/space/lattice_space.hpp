@@ -83,6 +83,18 @@ class LatticeSpace {
                         std::move(edges));
   }
 
+  /// The lattice of the same obstacles at another safety radius [m]. Errors: those of `build`.
+  Expected<LatticeSpace, Failure> with_safety_radius(double radius) const {
+    Workspace obstacles = workspace();
+    obstacles.safety_radius = radius;
+    LatticeOptions options{.resolution = frame().resolution, .movement = movement()};
+    if (edges_ != nullptr) {
+      options.movement = MovementRule::no_cut;
+      options.edges = EdgeRule::paper_strict;
+    }
+    return build(obstacles, options);
+  }
+
   /// The free space without the lattice.
   const InflatedSpace& inflated() const { return inflated_; }
   const Workspace& workspace() const { return inflated_.workspace(); }

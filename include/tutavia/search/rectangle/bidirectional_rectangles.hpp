@@ -169,6 +169,11 @@ class BidirectionalRectangles {
     expansion.exits[from].rectangle = r;
     expansion.expanded.push_back(from);
     expansion.covered.add(r);
+    if constexpr (AimedEvaluation<Evaluation>) {
+      if (!other.expanded.empty()) {
+        expansion.evaluation.aim_at(other.exits[other.expanded.back()].cells);
+      }
+    }
     if constexpr (is_cellwise) expansion.evaluation.expand(expansion.exits[from]);
     const std::uint64_t now = context_.statistics.expanded;
     other.marked.for_each_in(r, [&](Cell cell) {

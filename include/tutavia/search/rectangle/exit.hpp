@@ -60,6 +60,13 @@ concept CellwiseEvaluation = ExitEvaluation<E> &&
   evaluation.reach(edge);
 };
 
+/// An evaluation with a moving target. `aim_at(cells)` is called before the exits of a rectangle are
+/// entered, with the exit that the other side has expanded last.
+template <class E>
+concept AimedEvaluation = ExitEvaluation<E> && requires(E& evaluation, const CellInterval& cells) {
+  evaluation.aim_at(cells);
+};
+
 /// State of a rectangle expansion from one end; keeps its memory between queries.
 template <ExitEvaluation Evaluation>
 struct RectangleExpansion {
