@@ -71,6 +71,19 @@ class LayersTest(unittest.TestCase):
         self.append("smooth/shortcut.hpp", '#include "tutavia/search/grid/best_first.hpp"\n')
         self.assert_breach("includes search/grid/best_first.hpp, machinery of another module")
 
+    def test_machinery_of_the_registry_is_for_the_registry(self):
+        self.append("io/plan_json.hpp", '#include "tutavia/registry/options/option_kind.hpp"\n')
+        self.assert_breach("io/plan_json.hpp",
+                           "includes registry/options/option_kind.hpp, machinery of another module")
+
+    def test_registry_in_an_umbrella(self):
+        self.append("tutavia.hpp", '#include "tutavia/registry/option_value.hpp"\n')
+        self.assert_breach("tutavia.hpp: includes registry/option_value.hpp, which is not its own")
+
+    def test_header_of_the_registry_includes_from_a_higher_layer(self):
+        self.append("registry/option_value.hpp", '#include "tutavia/registry.hpp"\n')
+        self.assert_breach("registry/option_value.hpp", "includes registry.hpp from a higher layer")
+
     def test_stale_exception(self):
         for path in sorted((self.root / "include/tutavia").rglob("*.hpp")):
             path.write_text(path.read_text().replace(

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "support/registry.hpp"
 #include "support/searcher_contract.hpp"
@@ -76,6 +79,79 @@ TEST_CASE("one scratch serves searches of any kind, one after the other") {
       REQUIRE(route);
       CHECK(test::same_curve(route->curve, expected->curve));
     }
+  }
+}
+
+template <class All, class Make>
+void check_made_like(const All& all, const Make& make) {
+  for (const auto& any : all) {
+    INFO(any.name);
+    const auto made = make(any.name, {});
+    REQUIRE(made);
+    CHECK(made->name == any.name);
+    CHECK(made->options.size() == any.options.size());
+  }
+}
+
+TEST_CASE("every algorithm can be made by its name") {
+  check_made_like(all_searches<LatticeSpace>(), &make_search<LatticeSpace>);
+  check_made_like(all_smoothers<LatticeSpace>(), &make_smoother<LatticeSpace>);
+}
+
+TEST_CASE("an algorithm made with options plans as its own value with these members does") {
+  const Scene scene = maps::maze();
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
+  const Query query{.start = scene.start, .goal = scene.goals[0], .seed = 7};
+  const std::vector<OptionText> tree{{"iterations", "2500"}, {"goal_bias", "0.2"}};
+  const std::vector<OptionText> arcs{{"corner_threshold", "0.1"}, {"join", "tangent"}};
+  const auto search = make_search<LatticeSpace>("rrt_star", tree).value();
+  const auto smoother = make_smoother<LatticeSpace>("delta", arcs).value();
+  Planner by_name{search, smoother};
+  Planner by_type{RrtStar{.goal_bias = 0.2, .iterations = 2500},
+                  DeltaSmoother{.corner_threshold = 0.1, .join = DeltaSmoother::Join::tangent}};
+  Planner by_default{RrtStar{}, DeltaSmoother{}};
+  const auto plan = by_name.plan(space, query).value();
+  CHECK(test::same_curve(plan.curve, by_type.plan(space, query).value().curve));
+  CHECK_FALSE(test::same_curve(plan.curve, by_default.plan(space, query).value().curve));
+
+  REQUIRE(search.options.size() == 5);
+  CHECK(search.options[0].name == "step");
+  CHECK(std::holds_alternative<std::monostate>(search.options[0].value));
+  CHECK(std::get<double>(search.options[1].value) == 0.2);
+  CHECK(std::get<std::uint64_t>(search.options[2].value) == 2500);
+  CHECK(std::get<std::string>(search.options[3].value) == "k_nearest");
+  REQUIRE(smoother.options.size() == 1);
+  const auto chained = detail::chain(smoother, make_smoother<LatticeSpace>("bezier").value());
+  REQUIRE(chained.options.size() == 2);
+  CHECK(chained.options[0].size() == smoother.options[0].size());
+  CHECK(chained.options[1][0].name == "trim");
+}
+
+TEST_CASE("unknown names and options are refused, and values out of range by the search itself") {
+  const auto unknown = make_search<LatticeSpace>("rrt_sta");
+  REQUIRE_FALSE(unknown);
+  CHECK(unknown.error().code == PlanError::invalid_option);
+  CHECK(unknown.error().detail == "unknown name \"rrt_sta\"; did you mean rrt_star?");
+  const auto far = make_smoother<LatticeSpace>("silk");
+  REQUIRE_FALSE(far);
+  CHECK(far.error().detail.find("unknown name \"silk\"; known: none shortcut ") == 0);
+  CHECK_FALSE(make_search<LatticeSpace>("any_angle"));  // on cells alone
+  const std::vector<OptionText> misspelt{{"wieght", "2"}};
+  const auto option = make_search<LatticeSpace>("weighted_astar", misspelt);
+  REQUIRE_FALSE(option);
+  CHECK(option.error().detail == "weighted_astar: unknown option \"wieght\"; did you mean weight?");
+
+  const Scene scene = maps::maze();
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.5}).value();
+  for (const char* value : {"-1", "inf", "1e300"}) {
+    const std::vector<OptionText> out_of_range{{"weight", value}};
+    const auto search = make_search<LatticeSpace>("weighted_astar", out_of_range).value();
+    AnySearch<LatticeSpace>::Scratch scratch;
+    NoObserver no_observer;
+    const auto route =
+        search.search(space, {.start = scene.start, .goal = scene.goals[0]}, scratch, no_observer);
+    REQUIRE_FALSE(route);
+    CHECK(route.error().code == PlanError::invalid_option);
   }
 }
 

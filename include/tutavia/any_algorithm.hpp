@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 #include <typeinfo>
+#include <utility>
+#include <vector>
 
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/expected.hpp"
@@ -13,6 +15,7 @@
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/plan/query.hpp"
 #include "tutavia/plan/route.hpp"
+#include "tutavia/registry/option_value.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/search_record.hpp"
 #include "tutavia/smooth/concepts.hpp"
@@ -52,6 +55,7 @@ struct AnySearch {
 
   std::string_view name{};
   std::function<Expected<Route, Failure>(const S&, const Query&, Scratch&, SearchRecord*)> run{};
+  OptionSettings options{};  ///< its options, for reports; empty if it is not from the registry
 
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   NoObserver&) const {
@@ -68,6 +72,7 @@ template <class S>
 struct AnySmoother {
   std::string name{};
   std::function<Expected<Curve, Failure>(const S&, const Curve&, const Budget&)> run{};
+  std::vector<OptionSettings> options{};  ///< of each stage, for reports; empty as for AnySearch
 
   Expected<Curve, Failure> smooth(const S& space, const Curve& curve, const Budget& budget) const {
     return run(space, curve, budget);
@@ -125,11 +130,14 @@ namespace detail {
 /// Two smoothers one after the other, named "first+second"; see Pipeline.
 template <class S>
 AnySmoother<S> chain(const AnySmoother<S>& first, const AnySmoother<S>& second) {
+  std::vector<OptionSettings> options = first.options;
+  options.insert(options.end(), second.options.begin(), second.options.end());
   return {first.name + "+" + second.name,
           [first, second](const S& space, const Curve& curve, const Budget& budget) {
             auto result = first.smooth(space, curve, budget);
             return result ? second.smooth(space, *result, budget) : result;
-          }};
+          },
+          std::move(options)};
 }
 
 }  // namespace detail

@@ -1,50 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "tutavia/any_algorithm.hpp"
-#include "tutavia/search/ant_colony.hpp"
-#include "tutavia/search/any_angle.hpp"
-#include "tutavia/search/astar.hpp"
-#include "tutavia/search/bidirectional_astar.hpp"
-#include "tutavia/search/canonical_astar.hpp"
+#include "tutavia/registry/algorithm_description.hpp"
+#include "tutavia/registry/algorithm_text.hpp"
+#include "tutavia/registry/options/bound_option.hpp"
+#include "tutavia/registry/options/search_options.hpp"
+#include "tutavia/registry/options/smoother_options.hpp"
+#include "tutavia/registry/options/tree_options.hpp"
 #include "tutavia/search/concepts.hpp"
-#include "tutavia/search/dijkstra.hpp"
-#include "tutavia/search/improved_rea_star.hpp"
-#include "tutavia/search/informed_rrt_star.hpp"
-#include "tutavia/search/jps.hpp"
-#include "tutavia/search/jps_plus.hpp"
-#include "tutavia/search/jps_theta_star.hpp"
-#include "tutavia/search/lazy_theta_star.hpp"
-#include "tutavia/search/penalty_astar.hpp"
-#include "tutavia/search/rea_star.hpp"
-#include "tutavia/search/rrt.hpp"
-#include "tutavia/search/rrt_connect.hpp"
-#include "tutavia/search/rrt_star.hpp"
-#include "tutavia/search/safe_rrt_star.hpp"
-#include "tutavia/search/sb_rea_star.hpp"
 #include "tutavia/search/search_record.hpp"
-#include "tutavia/search/ssa_astar.hpp"
-#include "tutavia/search/tangent_graph.hpp"
-#include "tutavia/search/theta_star.hpp"
-#include "tutavia/search/weighted_astar.hpp"
-#include "tutavia/smooth/b_spline_smoother.hpp"
-#include "tutavia/smooth/bezier_smoother.hpp"
-#include "tutavia/smooth/clothoid_smoother.hpp"
 #include "tutavia/smooth/concepts.hpp"
-#include "tutavia/smooth/delta_smoother.hpp"
-#include "tutavia/smooth/homotopy_refine.hpp"
-#include "tutavia/smooth/no_smoothing.hpp"
-#include "tutavia/smooth/redundant_node_removal.hpp"
-#include "tutavia/smooth/shortcut.hpp"
-#include "tutavia/smooth/smoothing_spline.hpp"
-#include "tutavia/smooth/string_pull.hpp"
-#include "tutavia/smooth/taut_string.hpp"
-#include "tutavia/smooth/two_stage_b_spline.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -88,22 +63,116 @@ AnySearch<S> erase_jps_plus() {
           }};
 }
 
-/// Adds the searches that work on S, with default options.
-template <class... Searches, class S>
-void add_searches(std::vector<AnySearch<S>>& all) {
-  const auto add = [&]<class A>(const A& search) {
-    if constexpr (Searcher<A, S>) all.push_back(erase_search<S>(search));
-  };
-  (add(Searches{}), ...);
+/// The algorithms of the library, in the order of tables.
+template <class... A>
+struct AlgorithmList {};
+using Searches =
+    AlgorithmList<Dijkstra, AStar, WeightedAStar, CanonicalAStar, BidirectionalAStar, PenaltyAStar,
+                  Jps, JpsPlus, ThetaStar, LazyThetaStar, JpsThetaStar, SsaAStar, AntColony,
+                  ReaStar, SbReaStar, ImprovedReaStar, Rrt, RrtStar, RrtConnect, InformedRrtStar,
+                  SafeRrtStar, AnyAngle, TangentGraph>;
+using Smoothers = AlgorithmList<NoSmoothing, Shortcut, RedundantNodeRemoval, DeltaSmoother,
+                                BezierSmoother, BSplineSmoother, SmoothingSpline, TwoStageBSpline,
+                                TautString, ClothoidSmoother, HomotopyRefine, StringPull>;
+
+/// Whether the registry offers the searcher or smoother A on S.
+template <class A, class S>
+constexpr bool is_offered() {
+  if constexpr (std::same_as<A, JpsPlus>) {
+    return GridSpace<S>;
+  } else if constexpr (std::same_as<A, TangentGraph> || std::same_as<A, HomotopyRefine>) {
+    return WorkspaceSpace<S>;
+  } else {
+    return Searcher<A, S> || Smoother<A, S>;
+  }
 }
 
-/// Adds the smoothers that work on S, with default options.
-template <class... Smoothers, class S>
-void add_smoothers(std::vector<AnySmoother<S>>& all) {
-  const auto add = [&]<class A>(const A& smoother) {
-    if constexpr (Smoother<A, S>) all.push_back(erase_smoother<S>(smoother));
+/// A name on S, and what makes the algorithm, type-erased. Every list and every choice by name
+/// comes from here, so an algorithm is compiled once per space.
+template <class Any>
+struct Offer {
+  std::string_view name;
+  std::span<const OptionField> fields;
+  Any (*make)(OptionSetter& options);
+
+  /// Errors: those of `set_options`.
+  Expected<Any, Failure> with(std::span<const OptionText> texts) const {
+    OptionSetter setter(name, fields, texts);
+    Any any = make(setter);
+    if (!setter.result()) return Unexpected{setter.result().error()};
+    add_options(any.options, setter.settings());
+    return any;
+  }
+
+ private:
+  static void add_options(OptionSettings& options, const OptionSettings& set) { options = set; }
+  static void add_options(std::vector<OptionSettings>& stages, const OptionSettings& set) {
+    stages.push_back(set);
+  }
+};
+
+template <class A, class S>
+AnySearch<S> make_any_search(OptionSetter& options) {
+  A search{};
+  options.set(&search);
+  if constexpr (std::same_as<A, JpsPlus>) {
+    return erase_jps_plus<S>();
+  } else {
+    return erase_search<S>(search);
+  }
+}
+template <class A, class S>
+AnySmoother<S> make_any_smoother(OptionSetter& options) {
+  A smoother{};
+  options.set(&smoother);
+  return erase_smoother<S>(smoother);
+}
+
+template <class S, class... A>
+std::vector<Offer<AnySearch<S>>> search_offers(AlgorithmList<A...>) {
+  std::vector<Offer<AnySearch<S>>> offers;
+  const auto add = [&]<class One>(AlgorithmList<One>) {
+    if constexpr (is_offered<One, S>()) {
+      offers.push_back({One::name, OptionTable<One>::fields.all, &make_any_search<One, S>});
+    }
   };
-  (add(Smoothers{}), ...);
+  (add(AlgorithmList<A>{}), ...);
+  return offers;
+}
+template <class S, class... A>
+std::vector<Offer<AnySmoother<S>>> smoother_offers(AlgorithmList<A...>) {
+  std::vector<Offer<AnySmoother<S>>> offers;
+  const auto add = [&]<class One>(AlgorithmList<One>) {
+    if constexpr (is_offered<One, S>()) {
+      offers.push_back({One::name, OptionTable<One>::fields.all, &make_any_smoother<One, S>});
+    }
+  };
+  (add(AlgorithmList<A>{}), ...);
+  return offers;
+}
+
+template <class Any>
+std::vector<Any> make_all(const std::vector<Offer<Any>>& offers) {
+  std::vector<Any> all;
+  for (const auto& offer : offers) all.push_back(std::move(offer.with({}).value()));
+  return all;
+}
+template <class Any>
+Expected<Any, Failure> make_one(const std::vector<Offer<Any>>& offers, std::string_view name,
+                                std::span<const OptionText> options) {
+  std::vector<std::string> names;
+  for (const auto& offer : offers) {
+    if (offer.name == name) return offer.with(options);
+    names.emplace_back(offer.name);
+  }
+  std::string message = "unknown name \"";
+  message.append(name).append("\"; ");
+  return fail(PlanError::invalid_option, message.append(hint(name, names)));
+}
+
+template <class... A>
+std::vector<AlgorithmDescription> describe_all(AlgorithmList<A...>) {
+  return {describe<A>()...};
 }
 
 }  // namespace detail
@@ -115,28 +184,45 @@ void add_smoothers(std::vector<AnySmoother<S>>& all) {
 /// which is usual for cells, the search is not defined.
 template <FreeSpace S>
 std::vector<AnySearch<S>> all_searches() {
-  std::vector<AnySearch<S>> all;
-  detail::add_searches<Dijkstra, AStar, WeightedAStar, CanonicalAStar, BidirectionalAStar,
-                       PenaltyAStar, Jps>(all);
-  if constexpr (GridSpace<S>) all.push_back(detail::erase_jps_plus<S>());
-  detail::add_searches<ThetaStar, LazyThetaStar, JpsThetaStar, SsaAStar, AntColony, ReaStar,
-                       SbReaStar, ImprovedReaStar, Rrt, RrtStar, RrtConnect, InformedRrtStar,
-                       SafeRrtStar, AnyAngle>(all);
-  if constexpr (WorkspaceSpace<S>) detail::add_searches<TangentGraph>(all);
-  return all;
+  return detail::make_all(detail::search_offers<S>(detail::Searches{}));
 }
 
 /// Every smoother of the library that works on S, with default options. HomotopyRefine, which uses
 /// TangentGraph, requires a workspace for the same reasons.
 template <FreeSpace S>
 std::vector<AnySmoother<S>> all_smoothers() {
-  std::vector<AnySmoother<S>> all;
-  detail::add_smoothers<NoSmoothing, Shortcut, RedundantNodeRemoval, DeltaSmoother, BezierSmoother,
-                        BSplineSmoother, SmoothingSpline, TwoStageBSpline, TautString,
-                        ClothoidSmoother>(all);
-  if constexpr (WorkspaceSpace<S>) detail::add_smoothers<HomotopyRefine>(all);
-  detail::add_smoothers<StringPull>(all);
-  return all;
+  return detail::make_all(detail::smoother_offers<S>(detail::Smoothers{}));
+}
+
+/// The searcher of a name, with options as texts:
+///
+///     const std::array options{OptionText{"iterations", "5000"}, OptionText{"goal_bias", "0.1"}};
+///     const auto search = make_search<LatticeSpace>("rrt_star", options);
+///
+/// Errors: `invalid_option` for a name or an option that is not known on S, with the nearest one;
+/// for an option given twice; for a text that is no value of the option's type. Values out of range
+/// are answered by the search itself.
+template <FreeSpace S>
+Expected<AnySearch<S>, Failure> make_search(std::string_view name,
+                                            std::span<const OptionText> options = {}) {
+  return detail::make_one(detail::search_offers<S>(detail::Searches{}), name, options);
+}
+
+/// The smoother of a name, with options as texts. Errors as for `make_search`.
+template <FreeSpace S>
+Expected<AnySmoother<S>, Failure> make_smoother(std::string_view name,
+                                                std::span<const OptionText> options = {}) {
+  return detail::make_one(detail::smoother_offers<S>(detail::Smoothers{}), name, options);
+}
+
+/// Every searcher of the library with its options, whatever the spaces on which it works.
+inline std::vector<AlgorithmDescription> describe_searches() {
+  return detail::describe_all(detail::Searches{});
+}
+
+/// Every smoother of the library with its options.
+inline std::vector<AlgorithmDescription> describe_smoothers() {
+  return detail::describe_all(detail::Smoothers{});
 }
 
 }  // namespace tutavia

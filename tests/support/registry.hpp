@@ -11,5 +11,9 @@ namespace tutavia {
 
 extern template std::vector<AnySearch<LatticeSpace>> all_searches<LatticeSpace>();
 extern template std::vector<AnySmoother<LatticeSpace>> all_smoothers<LatticeSpace>();
+extern template Expected<AnySearch<LatticeSpace>, Failure> make_search<LatticeSpace>(
+    std::string_view, std::span<const OptionText>);
+extern template Expected<AnySmoother<LatticeSpace>, Failure> make_smoother<LatticeSpace>(
+    std::string_view, std::span<const OptionText>);
 
 }  // namespace tutavia

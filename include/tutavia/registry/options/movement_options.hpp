@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "tutavia/grid/movement.hpp"
+#include "tutavia/registry/options/option_kind.hpp"
+
+/// \file
+/// The names of the movement rules.
+
+namespace tutavia::detail {
+
+template <>
+struct EnumNames<MovementRule> {
+  static constexpr std::array<std::string_view, 4> names{"no_cut", "no_squeeze", "allow",
+                                                         "four_connected"};
+};
+
+}  // namespace tutavia::detail
