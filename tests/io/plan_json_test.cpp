@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/io/plan_json.hpp"
 
+#include <cstdint>
+#include <limits>
+#include <string>
+
 #include "support/catch.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
@@ -125,6 +129,32 @@ TEST_CASE("where there are no obstacles the clearance is null") {
   const Json json = Json::parse(result_to_json(ResultHeader{}, plan).dump());
   CHECK(json["certificate"]["lower"].is_null());
   CHECK(json["certificate"]["status"] == "proved");
+}
+
+TEST_CASE("options are written as what they are") {
+  ResultHeader header;
+  header.search_options = {{"none", {}},
+                           {"on", true},
+                           {"least", std::int64_t{-3}},
+                           {"most", std::numeric_limits<std::uint64_t>::max()},
+                           {"third", 1.0 / 3},
+                           {"bound", std::numeric_limits<double>::infinity()},
+                           {"kind", std::string("octile")}};
+  header.smoother_options = {{{"trim", 1.5}}};
+  const Json one = Json::parse(result_to_json(header, Failure{}).dump())["options"];
+  CHECK(one["search"]["none"].is_null());
+  CHECK(one["search"]["on"] == true);
+  CHECK(one["search"]["least"].get<int>() == -3);
+  CHECK(one["search"]["most"].get<std::uint64_t>() == std::numeric_limits<std::uint64_t>::max());
+  CHECK(one["search"]["third"].get<double>() == 1.0 / 3);
+  CHECK(one["search"]["bound"].is_null());
+  CHECK(one["search"]["kind"] == "octile");
+  CHECK(one["smoother"] == Json{{"trim", 1.5}});
+  header.smoother_options.push_back({});
+  const Json two = Json::parse(result_to_json(header, Plan{}).dump())["options"];
+  CHECK(two["smoother"] == Json::array({Json{{"trim", 1.5}}, Json::object()}));
+  const Json without = Json::parse(result_to_json(ResultHeader{}, Plan{}).dump())["options"];
+  CHECK(without == Json{{"search", Json::object()}, {"smoother", Json::object()}});
 }
 
 }  // namespace

@@ -5,9 +5,12 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <variant>
+#include <vector>
 
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/planner.hpp"
+#include "tutavia/registry/option_value.hpp"
 
 /// \file
 /// Results in JSON: version 1 of the result file.
@@ -21,6 +24,8 @@ struct ResultHeader {
   Point start = Point::Zero();
   Point goal = Point::Zero();
   double safety_radius = 0;
+  OptionSettings search_options{};
+  std::vector<OptionSettings> smoother_options{};  ///< of each stage of a pipeline
 };
 
 namespace detail {
@@ -68,10 +73,37 @@ inline ResultJson to_json(const Statistics& stats) {
   return json;
 }
 
+inline ResultJson to_json(const OptionSettings& settings) {
+  ResultJson result = ResultJson::object();
+  for (const OptionSetting& setting : settings) {
+    result[setting.name] = std::visit(
+        [](const auto& value) -> ResultJson {
+          if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) {
+            return nullptr;
+          } else {
+            return value;
+          }
+        },
+        setting.value);
+  }
+  return result;
+}
+
+/// The options of a smoother; for a pipeline an array with those of each stage.
+inline ResultJson to_json(const std::vector<OptionSettings>& stages) {
+  if (stages.size() <= 1) return to_json(stages.empty() ? OptionSettings{} : stages.front());
+  ResultJson result = ResultJson::array();
+  for (const OptionSettings& stage : stages) result.push_back(to_json(stage));
+  return result;
+}
+
 inline ResultJson result_head(const ResultHeader& header, std::string_view status) {
   return {{"status", status},
           {"search", header.search},
           {"smoother", header.smoother},
+          {"options",
+           {{"search", to_json(header.search_options)},
+            {"smoother", to_json(header.smoother_options)}}},
           {"fell_back", false},
           {"start", to_json(header.start)},
           {"goal", to_json(header.goal)},
@@ -81,7 +113,8 @@ inline ResultJson result_head(const ResultHeader& header, std::string_view statu
 }  // namespace detail
 
 /// One entry of `results` for a plan. Numbers read back to the same double; infinite ones (the
-/// clearance without obstacles, the curvature of a cusp) become null. `optimum` is the length of
+/// clearance without obstacles, the curvature of a cusp, an option without a bound) become null, as
+/// do options that are not given. `optimum` is the length of
 /// the shortest path, if known (see find_optimum).
 inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const Plan& plan,
                                              std::optional<double> optimum = std::nullopt) {
