@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/grid/safety_buffer.hpp"
 #include "tutavia/io/geo_json.hpp"
 #include "tutavia/io/moving_ai.hpp"
 #include "tutavia/io/ros_map.hpp"
@@ -106,18 +107,27 @@ void refuse_self_crossing(const Workspace& workspace) {
 }
 
 Task load_workspace(const Arguments& args) {
+  if (args.buffer) {
+    throw UsageError{"--buffer is for the cells of --grid; on a workspace give --radius R"};
+  }
   Scene scene = load_scene(args);
   override_start_and_goals(args, scene);
   override_workspace(args, scene);
   throw_failure(validate(scene.workspace));
   if (args.strict) refuse_self_crossing(scene.workspace);
-  LatticeSpace space =
-      value_or_throw(LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}));
+  LatticeSpace space = value_or_throw(LatticeSpace::build(
+      scene.workspace, {.resolution = scene.resolution, .movement = args.movement}));
   scene.resolution = space.frame().resolution;
   return {.scene = std::move(scene), .space = std::move(space)};
 }
 
-CellSpace load_ros_map(const Arguments& args, CellOptions options) {
+/// The cells of a grid map, and how they lie in the plane.
+struct CellMap {
+  OccupancyGrid cells;
+  CellOptions options;
+};
+
+CellMap load_ros_map(const Arguments& args, CellOptions options) {
   const RosMap map = value_or_throw(read_ros_map(args.grid));
   print_warnings(args.grid, map.warnings);
   if (map.yaw != 0) {
@@ -129,25 +139,54 @@ CellSpace load_ros_map(const Arguments& args, CellOptions options) {
   options.origin = map.origin;
   const auto unknown =
       args.unknown == "free" ? RosMap::UnknownCells::free : RosMap::UnknownCells::blocked;
-  return value_or_throw(CellSpace::build(value_or_throw(to_grid(map, unknown)), options));
+  return {value_or_throw(to_grid(map, unknown)), options};
 }
 
-CellSpace load_cells(const Arguments& args) {
+CellMap load_cells(const Arguments& args) {
   if (args.resolution || !args.bounds.empty()) {
     throw UsageError{"--grid brings its own resolution and bounds"};
   }
-  const CellOptions options{.safety_radius = args.radius.value_or(0)};
+  const CellOptions options{.safety_radius = args.radius.value_or(0), .movement = args.movement};
   const std::string kind = extension(args.grid);
   if (kind == ".yaml" || kind == ".yml") return load_ros_map(args, options);
   if (kind != ".map") throw UsageError{args.grid + ": unknown kind of file (.map or .yaml)"};
-  return value_or_throw(CellSpace::build(value_or_throw(read_moving_ai_map(args.grid)), options));
+  return {value_or_throw(read_moving_ai_map(args.grid)), options};
+}
+
+/// Adds the cells that contain a point: one, or all that meet there if it lies on their sides.
+void add_cells_at(const CellMap& map, const Point& p, std::vector<Cell>& cells) {
+  const Point u = (p - map.options.origin) / map.options.resolution;
+  const double width = map.cells.width(), height = map.cells.height();
+  if (!(u.x() >= 0 && u.x() <= width && u.y() >= 0 && u.y() <= height)) return;
+  for (double y = std::ceil(u.y()) - 1; y <= std::floor(u.y()); ++y) {
+    for (double x = std::ceil(u.x()) - 1; x <= std::floor(u.x()); ++x) {
+      if (x < 0 || y < 0 || x >= width || y >= height) continue;
+      cells.push_back({static_cast<int>(x), static_cast<int>(y)});
+    }
+  }
+}
+
+/// Blocks the safety buffer. The cells of start and goals in it stay free, which is said.
+void add_buffer(const Scene& scene, int width, CellMap& map) {
+  std::vector<Cell> exempt;
+  add_cells_at(map, scene.start, exempt);
+  for (const Point& goal : scene.goals) add_cells_at(map, goal, exempt);
+  auto buffered = with_safety_buffer(map.cells, exempt, width);
+  if (!buffered) throw UsageError{"--buffer: " + buffered.error().detail};
+  map.cells = std::move(buffered->grid);
+  for (const Cell& cell : buffered->exempted) {
+    std::cerr << "tutavia-plan: --buffer: cell (" << cell.x << ", " << cell.y
+              << ") of the start or a goal lies in the buffer and stays free\n";
+  }
 }
 
 Task load_grid(const Arguments& args) {
-  CellSpace space = load_cells(args);
+  CellMap map = load_cells(args);
   Scene scene;
   scene.name = std::filesystem::path(args.grid).filename().string();
   override_start_and_goals(args, scene);
+  if (args.buffer) add_buffer(scene, *args.buffer, map);
+  CellSpace space = value_or_throw(CellSpace::build(std::move(map.cells), map.options));
   scene.workspace = {.bounds = space.bounds(), .safety_radius = space.safety_radius()};
   return {.scene = std::move(scene),
           .space = std::move(space),

@@ -18,7 +18,14 @@ namespace plan_program {
 namespace {
 
 ResultHeader header_of(const Scene& scene, const Result& result) {
-  return {result.search, result.smoother, scene.start, result.goal, scene.workspace.safety_radius};
+  const UsedAlgorithms& used = result.algorithms;
+  return {used.search,
+          used.smoother,
+          scene.start,
+          result.goal,
+          scene.workspace.safety_radius,
+          used.search_options,
+          used.smoother_options};
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ class TraceFile {
  public:
   explicit TraceFile(const std::string& path);
 
-  /// Whether the file takes the results of a search: true for the first call with its name.
+  /// Whether the file takes the results of a search: true for the first call with its name
+  /// and options.
   bool takes(const std::string& search);
   void write(const Scene& scene, const Result& result, const SearchRecord& record);
   void close();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "names.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "usage_error.hpp"
 
@@ -9,31 +9,28 @@ namespace plan_program {
 
 namespace {
 
-void require_known(const std::string& option, const std::string& name,
-                   const std::vector<std::string>& known) {
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  std::string message = option;
-  message.append(": unknown name \"").append(name).append("\"; known:");
-  for (const std::string& other : known) message.append(" ").append(other);
-  throw UsageError{message};
+std::vector<tutavia::PipelineText> parse_list(const std::string& option, const std::string& text) {
+  auto parsed = tutavia::parse_algorithms(text);
+  if (!parsed) throw UsageError{option + ": " + parsed.error().detail};
+  return std::move(*parsed);
 }
 
 }  // namespace
 
-Names choose(const Arguments& args, const Names& known) {
-  Names chosen{split(args.search, ','), split(args.smoother, ',')};
-  for (const std::string& search : chosen.searches) {
-    require_known("--search", search, known.searches);
-  }
-  for (const std::string& smoother : chosen.smoothers) {
-    for (const std::string& stage : split(smoother, '+')) {
-      require_known("--smoother", stage, known.smoothers);
-    }
+Choices parse_choices(const Arguments& args) {
+  Choices chosen{parse_list("--search", args.search), parse_list("--smoother", args.smoother)};
+  for (const tutavia::PipelineText& search : chosen.searches) {
+    if (search.stages.size() == 1) continue;
+    throw UsageError{"--search: unknown name \"" + search.text + "\"; only smoothers are chained"};
   }
   if (args.compare && (chosen.searches.size() > 1 || chosen.smoothers.size() > 1)) {
     throw UsageError{"--compare takes one --search and one --smoother to hold the others against"};
   }
   return chosen;
+}
+
+tutavia::PipelineText default_choice(const std::string& name) {
+  return {.text = name, .stages = {{.text = name, .name = name}}};
 }
 
 }  // namespace plan_program

@@ -5,20 +5,30 @@
 #include <vector>
 
 #include "options.hpp"
+#include "tutavia/registry/algorithm_text.hpp"
 
 /// \file
-/// Names: the searches and smoothers chosen on the command line.
+/// Choices: the searches and smoothers chosen on the command line.
 
 namespace plan_program {
 
-/// Names of searches and smoothers. A smoother "A+B" is a pipeline of A and B.
+/// Names of searches and smoothers.
 struct Names {
   std::vector<std::string> searches;
   std::vector<std::string> smoothers;
 };
 
-/// The names in --search and --smoother. Throws a UsageError for a name that is not in `known`, and
-/// for more than one search or smoother with --compare.
-Names choose(const Arguments& args, const Names& known);
+/// Searches and smoothers with their options. A smoother of several stages is a pipeline.
+struct Choices {
+  std::vector<tutavia::PipelineText> searches;
+  std::vector<tutavia::PipelineText> smoothers;
+};
+
+/// What --search and --smoother say; names and options are not checked. Throws a UsageError for
+/// what is no list of algorithms, and for more than one search or smoother with --compare.
+Choices parse_choices(const Arguments& args);
+
+/// An algorithm with default options.
+tutavia::PipelineText default_choice(const std::string& name);
 
 }  // namespace plan_program

@@ -7,7 +7,11 @@
 #include <cmath>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "help.hpp"
+#include "tutavia/registry/movement_name.hpp"
+#include "tutavia/registry/nearest_name.hpp"
 #include "usage_error.hpp"
 
 namespace plan_program {
@@ -32,13 +36,27 @@ void define_input_options(CLI::App& app, Arguments& args) {
   app.add_option("--bounds", args.bounds, "Bounds as X0,Y0,X1,Y1 in metres");
   app.add_flag("--strict", args.strict, "Reject polygons that cross themselves");
   app.add_option("--resolution", args.resolution, "Lattice spacing in metres");
+  app.add_option_function<std::string>(
+      "--movement",
+      [&args](const std::string& text) {
+        auto rule = tutavia::parse_movement_rule(text);
+        if (!rule) throw UsageError{"--movement: " + rule.error().detail};
+        args.movement = *rule;
+      },
+      "Diagonal steps: no_cut (default), no_squeeze, allow, or four_connected for none");
+  app.add_option("--buffer", args.buffer,
+                 "With --grid: also block the cells within this many cells of a blocked one; the "
+                 "cells of start and goals stay free");
 }
 
 void define_planning_options(CLI::App& app, Arguments& args) {
-  app.add_option("--search", args.search, "Search, or a comma list of them (any_angle: on grids)")
+  app.add_option("--search", args.search,
+                 "Search, or a comma list of them, with options as NAME:OPTION=VALUE,... "
+                 "(any_angle: on grids)")
       ->capture_default_str();
   app.add_option("--smoother", args.smoother,
-                 "Smoother, or a comma list of them; A+B is a pipeline: B smooths the result of A")
+                 "Smoother, or a comma list of them, with options as for --search; A+B is a "
+                 "pipeline: B smooths the result of A")
       ->capture_default_str();
   app.add_option("--seed", args.seed, "Seed for searches that draw random numbers");
   app.add_option("--time-limit", args.time_limit, "Seconds per query");
@@ -53,6 +71,31 @@ void define_output_options(CLI::App& app, Arguments& args) {
   app.add_flag("--list", args.list, "Print the names of searches and smoothers");
 }
 
+/// What is wrong with an argument that is no option.
+std::string unexpected_argument(const CLI::App& app, const std::string& argument) {
+  const std::string name = argument.substr(0, argument.find('='));
+  if (name.rfind("--", 0) != 0) return "unexpected argument \"" + argument + "\"";
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& known : option->get_lnames()) names.push_back(known);
+  }
+  const auto nearest = tutavia::nearest_name(std::string_view(name).substr(2), names);
+  std::string message = "unknown option " + name;
+  return message + (nearest ? "; did you mean --" + *nearest + "?" : "; see --help");
+}
+
+/// The NAME of an argument --help-NAME.
+std::optional<std::string> help_topic(int argc, const char* const* argv) {
+  constexpr std::string_view prefix = "--help-";
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    if (argument.substr(0, prefix.size()) == prefix) {
+      return std::string(argument.substr(prefix.size()));
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<double> parse_number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -65,12 +108,20 @@ std::optional<double> parse_number(std::string_view text) {
 std::optional<Arguments> parse_command_line(int argc, const char* const* argv) {
   CLI::App app{"Plans safe, smooth, short paths for a disc-shaped robot; every path is proved.",
                "tutavia-plan"};
+  app.footer("--help-NAME prints the options of a search or a smoother: --help-rrt_star");
   Arguments args;
+  if (const auto topic = help_topic(argc, argv)) {
+    print_help_of(*topic);
+    return std::nullopt;
+  }
   define_input_options(app, args);
   define_planning_options(app, args);
   define_output_options(app, args);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    const std::vector<std::string> extras = app.remaining();
+    throw UsageError{extras.empty() ? error.what() : unexpected_argument(app, extras.front())};
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw UsageError{error.what()};
     app.exit(error);  // --help

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tutavia/geometry/point.hpp"
+#include "tutavia/grid/movement.hpp"
 
 /// \file
 /// The command line of tutavia-plan.
@@ -28,6 +29,8 @@ struct Arguments {
   std::string bounds{};
   bool strict = false;
   std::optional<double> resolution{};
+  tutavia::MovementRule movement = tutavia::MovementRule::no_cut;
+  std::optional<int> buffer{};  ///< [cells]
   std::string search = "astar";
   std::string smoother = "delta";
   std::uint64_t seed = 0;
@@ -42,8 +45,8 @@ struct Arguments {
   bool prints_tables() const { return json != "-"; }
 };
 
-/// Reads the command line. For --help it prints the help and returns nothing. Without any option
-/// the picture goes to maze.svg. Throws UsageError.
+/// Reads the command line. For --help and --help-NAME it prints the help and returns nothing.
+/// Without any option the picture goes to maze.svg. Throws UsageError.
 std::optional<Arguments> parse_command_line(int argc, const char* const* argv);
 
 /// The parts of a text between separators, including empty ones.

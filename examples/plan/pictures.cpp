@@ -72,8 +72,9 @@ void draw(const std::string& path, const Task& task, std::vector<Group> groups) 
     for (Result& result : group) {
       for (const SearchRecord::Event& event : result.drawings) add_event(event, options);
       if (!result.plan) continue;
-      if (result.smoother == DeltaSmoother::name) {
-        const auto corners = critical_corners_of(task.space, result.plan->route.curve);
+      if (result.algorithms.smoother == DeltaSmoother::name) {
+        const auto corners = critical_corners_of(task.space, result.plan->route.curve,
+                                                 result.algorithms.smoother_options.front());
         options.critical_corners.insert(options.critical_corners.end(), corners.begin(),
                                         corners.end());
       }

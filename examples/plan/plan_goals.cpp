@@ -29,18 +29,18 @@ std::vector<SearchRecord::Event> drawings_of(SearchRecord&& record) {
 }  // namespace
 
 Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
-                 const std::string& search, const std::string& smoother) {
+                 const PipelineText& search, const PipelineText& smoother) {
   const bool is_drawn = !args.svg.empty() && !args.compare;
-  const bool is_traced = trace.takes(search);
+  const bool is_traced = trace.takes(search.text);
   const bool has_all_figures = args.compare || !args.json.empty();
-  const PlanQuery plan = make_planner(task.space, search, smoother);
+  const ChosenPlanner planner = make_planner(task.space, search, smoother);
   Group group;
   for (const Point& goal : task.scene.goals) {
     SearchRecord record{.keeps_nodes = is_traced};
     Query query{.start = task.scene.start, .goal = goal, .seed = args.seed};
     if (args.time_limit) query.budget = Budget::for_seconds(*args.time_limit);
-    group.push_back(
-        {search, smoother, goal, plan(query, is_drawn || is_traced ? &record : nullptr)});
+    group.push_back({search.text, smoother.text, planner.algorithms, goal,
+                     planner.plan(query, is_drawn || is_traced ? &record : nullptr)});
     Result& result = group.back();
     if (has_all_figures) add_figures(task.space, query, result);
     if (is_traced) trace.write(task.scene, result, record);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 #include "input.hpp"
 #include "json_output.hpp"
+#include "names.hpp"
 #include "options.hpp"
 #include "result.hpp"
 
@@ -14,8 +13,8 @@
 namespace plan_program {
 
 /// Plans every goal of the task. Writes the search to the trace if it is not there yet.
-/// \pre the names are known
+/// Throws UsageError as `make_planner` does.
 Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
-                 const std::string& search, const std::string& smoother);
+                 const PipelineText& search, const PipelineText& smoother);
 
 }  // namespace plan_program

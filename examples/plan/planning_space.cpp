@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string_view>
-#include <type_traits>
+#include <utility>
 
 #include "registry.hpp"
-#include "tutavia/core/assert.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/optimum.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
+#include "usage_error.hpp"
 
 namespace plan_program {
 
@@ -28,22 +29,66 @@ Names names_of(const Algorithms<S>& algorithms) {
   return names;
 }
 
-template <class Algorithm>
-const Algorithm& find(const std::vector<Algorithm>& all, std::string_view name) {
-  const auto found = std::find_if(
-      all.begin(), all.end(), [&](const Algorithm& candidate) { return candidate.name == name; });
-  TUTAVIA_ASSERT(found != all.end());
-  return *found;
+/// A message on an algorithm that could not be made: "--search rrt_star: unknown option ...".
+UsageError unusable(const std::string& option, const std::string& name, const Failure& failure) {
+  const bool names_algorithm = failure.detail.rfind(name + ":", 0) == 0;
+  return {option + (names_algorithm ? " " : ": ") + failure.detail};
+}
+
+/// Lets an algorithm to which the user gave options answer `invalid_option` by a UsageError.
+template <class Any>
+Any refusing(Any algorithm, const std::string& option, const AlgorithmText& text) {
+  if (text.options.empty()) return algorithm;
+  algorithm.run = [run = algorithm.run, where = option + " " + text.text](auto&&... arguments) {
+    auto result = run(arguments...);
+    if (!result && result.error().code == PlanError::invalid_option) {
+      throw UsageError{where + ": " + result.error().detail};
+    }
+    return result;
+  };
+  return algorithm;
 }
 
 template <class S>
-AnySmoother<S> find_pipeline(const std::vector<AnySmoother<S>>& all, const std::string& names) {
-  const std::vector<std::string> stages = split(names, '+');
-  AnySmoother<S> pipeline = find(all, stages.front());
-  for (std::size_t i = 1; i < stages.size(); ++i) {
-    pipeline = detail::chain(pipeline, find(all, stages[i]));
+AnySearch<S> make_search_on(const Algorithms<S>& all, const PipelineText& search) {
+  const AlgorithmText& text = search.stages.front();
+  auto made = all.make_search(text.name, text.options);
+  if (!made) throw unusable("--search", text.name, made.error());
+  return refusing(std::move(*made), "--search", text);
+}
+
+template <class S>
+AnySmoother<S> make_smoother_on(const Algorithms<S>& all, const PipelineText& smoother) {
+  std::optional<AnySmoother<S>> pipeline;
+  for (const AlgorithmText& text : smoother.stages) {
+    auto made = all.make_smoother(text.name, text.options);
+    if (!made) throw unusable("--smoother", text.name, made.error());
+    AnySmoother<S> stage = refusing(std::move(*made), "--smoother", text);
+    pipeline = pipeline ? detail::chain(*pipeline, stage) : std::move(stage);
   }
-  return pipeline;
+  return *pipeline;
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A name that is known on the other kind of space alone gets a message of its own.
+void refuse_elsewhere(const std::string& option, const PipelineText& pipeline,
+                      const std::vector<std::string>& here, const std::vector<std::string>& there,
+                      bool on_grid_map) {
+  for (const AlgorithmText& stage : pipeline.stages) {
+    if (has(here, stage.name) || !has(there, stage.name)) continue;
+    throw UsageError{
+        option + ": " + stage.name + " works on " +
+        (on_grid_map ? "workspaces alone (--map, --workspace)" : "grid maps alone (--grid)")};
+  }
+}
+
+template <class S>
+void check_on(const Algorithms<S>& all, const Choices& choices) {
+  for (const PipelineText& search : choices.searches) make_search_on(all, search);
+  for (const PipelineText& smoother : choices.smoothers) make_smoother_on(all, smoother);
 }
 
 }  // namespace
@@ -55,18 +100,39 @@ Names known_names(const PlanningSpace& space) {
   return std::visit([](const auto& known) { return names_of(algorithms_on(known)); }, space);
 }
 
-PlanQuery make_planner(const PlanningSpace& any_space, const std::string& search,
-                       const std::string& smoother) {
+void check_choices(const Choices& choices, bool on_grid_map) {
+  const Names lattice = lattice_names(), cell = cell_names();
+  const Names &here = on_grid_map ? cell : lattice, &there = on_grid_map ? lattice : cell;
+  for (const PipelineText& search : choices.searches) {
+    refuse_elsewhere("--search", search, here.searches, there.searches, on_grid_map);
+  }
+  for (const PipelineText& smoother : choices.smoothers) {
+    refuse_elsewhere("--smoother", smoother, here.smoothers, there.smoothers, on_grid_map);
+  }
+  if (on_grid_map) {
+    check_on(cell_algorithms(), choices);
+  } else {
+    check_on(lattice_algorithms(), choices);
+  }
+}
+
+ChosenPlanner make_planner(const PlanningSpace& any_space, const PipelineText& search,
+                           const PipelineText& smoother) {
   return std::visit(
-      [&]<class S>(const S& space) -> PlanQuery {
+      [&]<class S>(const S& space) -> ChosenPlanner {
         const Algorithms<S>& all = algorithms_on(space);
+        AnySearch<S> any_search = make_search_on(all, search);
+        AnySmoother<S> any_smoother = make_smoother_on(all, smoother);
+        UsedAlgorithms used{std::string(any_search.name), any_smoother.name, any_search.options,
+                            any_smoother.options};
         // std::function copies its target, but scratch memory is not copyable.
         const auto planner = std::make_shared<Planner<AnySearch<S>, AnySmoother<S>>>(
-            find(all.searches, search), find_pipeline(all.smoothers, smoother));
-        return [&space, planner](const Query& query, SearchRecord* record) {
-          return record != nullptr ? planner->plan(space, query, *record)
-                                   : planner->plan(space, query);
-        };
+            std::move(any_search), std::move(any_smoother));
+        return {[&space, planner](const Query& query, SearchRecord* record) {
+                  return record != nullptr ? planner->plan(space, query, *record)
+                                           : planner->plan(space, query);
+                },
+                std::move(used)};
       },
       any_space);
 }
@@ -86,20 +152,25 @@ std::optional<double> optimum_of(const PlanningSpace& any_space, const Query& qu
 double taut_length_of(const PlanningSpace& any_space, const Curve& route) {
   return std::visit(
       [&](const auto& space) {
-        const auto taut =
-            find(algorithms_on(space).smoothers, "taut_string").smooth(space, route, {});
+        const auto string = algorithms_on(space).make_smoother("taut_string", {});
+        const auto taut = string.value().smooth(space, route, {});
         return taut ? taut->length() : std::numeric_limits<double>::quiet_NaN();
       },
       any_space);
 }
 
-std::vector<Point> critical_corners_of(const PlanningSpace& any_space, const Curve& route) {
-  const DeltaSmoother delta;
+std::vector<Point> critical_corners_of(const PlanningSpace& any_space, const Curve& route,
+                                       const OptionSettings& delta) {
+  const auto number = [&](std::string_view name) {
+    const auto has_name = [&](const OptionSetting& setting) { return setting.name == name; };
+    return std::get<double>(std::find_if(delta.begin(), delta.end(), has_name)->value);
+  };
   std::vector<Point> positions;
   std::visit(
       [&](const auto& space) {
-        for (const Corner& corner : detail::critical_corners(
-                 space, waypoints(route), delta.corner_threshold, delta.min_exterior_angle)) {
+        for (const Corner& corner :
+             detail::critical_corners(space, waypoints(route), number("corner_threshold"),
+                                      number("min_exterior_angle"))) {
           positions.push_back(corner.position);
         }
       },

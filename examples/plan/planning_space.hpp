@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "names.hpp"
+#include "result.hpp"
 #include "tutavia/planner.hpp"
 #include "tutavia/search/search_record.hpp"
 #include "tutavia/space/cell_space.hpp"
@@ -30,13 +31,23 @@ Names cell_names();
 /// The names for the kind of a space.
 Names known_names(const PlanningSpace& space);
 
+/// Throws a UsageError for algorithms or options that are not known on workspaces, or on grid maps.
+void check_choices(const Choices& choices, bool on_grid_map);
+
 /// Plans one query. The record may be null.
 using PlanQuery = std::function<Expected<Plan, Failure>(const Query&, SearchRecord*)>;
 
-/// A planner with its own scratch memory. It keeps a reference to the space.
-/// \pre the names are known
-PlanQuery make_planner(const PlanningSpace& space, const std::string& search,
-                       const std::string& smoother);
+/// What plans with chosen algorithms.
+struct ChosenPlanner {
+  PlanQuery plan;
+  UsedAlgorithms algorithms;
+};
+
+/// A planner with its own scratch memory. It keeps a reference to the space. Throws a UsageError
+/// for unknown names and options; so does `plan` where an algorithm with options given by the user
+/// answers `invalid_option`.
+ChosenPlanner make_planner(const PlanningSpace& space, const PipelineText& search,
+                           const PipelineText& smoother);
 
 /// The mean clearance of a curve over its length [m].
 double mean_clearance_of(const PlanningSpace& space, const Curve& curve);
@@ -47,7 +58,8 @@ std::optional<double> optimum_of(const PlanningSpace& space, const Query& query,
 /// The length of a route when pulled taut [m]; NaN if that fails.
 double taut_length_of(const PlanningSpace& space, const Curve& route);
 
-/// The obstacle corners that the delta smoother treats as critical on a route.
-std::vector<Point> critical_corners_of(const PlanningSpace& space, const Curve& route);
+/// The obstacle corners that the delta smoother with these options treats as critical on a route.
+std::vector<Point> critical_corners_of(const PlanningSpace& space, const Curve& route,
+                                       const OptionSettings& delta);
 
 }  // namespace plan_program

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "tutavia/any_algorithm.hpp"
+#include "tutavia/core/expected.hpp"
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/registry/algorithm_text.hpp"
 #include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/lattice_space.hpp"
 
@@ -12,11 +17,18 @@
 
 namespace plan_program {
 
-/// The searches and smoothers that work on spaces of type S, with default options.
+/// The searches and smoothers that work on spaces of type S: with default options, and by name with
+/// options as texts.
 template <class S>
 struct Algorithms {
+  template <class Any>
+  using Make = tutavia::Expected<Any, tutavia::Failure> (*)(std::string_view,
+                                                            std::span<const tutavia::OptionText>);
+
   std::vector<tutavia::AnySearch<S>> searches;
   std::vector<tutavia::AnySmoother<S>> smoothers;
+  Make<tutavia::AnySearch<S>> make_search;
+  Make<tutavia::AnySmoother<S>> make_smoother;
 };
 
 /// Algorithms for workspaces. Each list has its own source file, because it takes longest to

@@ -6,8 +6,10 @@
 namespace plan_program {
 
 const Algorithms<tutavia::CellSpace>& cell_algorithms() {
-  static const Algorithms<tutavia::CellSpace> all{tutavia::all_searches<tutavia::CellSpace>(),
-                                                  tutavia::all_smoothers<tutavia::CellSpace>()};
+  using Space = tutavia::CellSpace;
+  static const Algorithms<Space> all{tutavia::all_searches<Space>(),
+                                     tutavia::all_smoothers<Space>(), &tutavia::make_search<Space>,
+                                     &tutavia::make_smoother<Space>};
   return all;
 }
 

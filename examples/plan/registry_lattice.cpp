@@ -6,9 +6,10 @@
 namespace plan_program {
 
 const Algorithms<tutavia::LatticeSpace>& lattice_algorithms() {
-  static const Algorithms<tutavia::LatticeSpace> all{
-      tutavia::all_searches<tutavia::LatticeSpace>(),
-      tutavia::all_smoothers<tutavia::LatticeSpace>()};
+  using Space = tutavia::LatticeSpace;
+  static const Algorithms<Space> all{tutavia::all_searches<Space>(),
+                                     tutavia::all_smoothers<Space>(), &tutavia::make_search<Space>,
+                                     &tutavia::make_smoother<Space>};
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tutavia/planner.hpp"
+#include "tutavia/registry/option_value.hpp"
 #include "tutavia/search/search_record.hpp"
 
 /// \file
@@ -15,10 +16,19 @@ namespace plan_program {
 
 using namespace tutavia;
 
-/// The result for one goal, with all data for tables, files and pictures.
-struct Result {
+/// The algorithms of a result, by their plain names, with all their options.
+struct UsedAlgorithms {
   std::string search;
   std::string smoother;
+  OptionSettings search_options{};
+  std::vector<OptionSettings> smoother_options{};  ///< of each stage of a pipeline
+};
+
+/// The result for one goal, with all data for tables, files and pictures.
+struct Result {
+  std::string search;    ///< as the user wrote it, with the options given
+  std::string smoother;  ///< the same
+  UsedAlgorithms algorithms;
   Point goal;
   Expected<Plan, Failure> plan;
   std::optional<double> optimum{};              ///< length of the shortest path [m], if it is known

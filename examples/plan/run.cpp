@@ -2,6 +2,7 @@
 #include "run.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -26,34 +27,42 @@ void add_taut_lengths(const PlanningSpace& space, Group& group) {
   }
 }
 
+/// All names with default options, and last the choice if it differs from those.
+std::vector<PipelineText> rivals(const std::vector<std::string>& names,
+                                 const PipelineText& chosen) {
+  std::vector<PipelineText> all;
+  for (const std::string& name : names) all.push_back(default_choice(name));
+  const bool is_known = std::find(names.begin(), names.end(), chosen.text) != names.end();
+  if (!is_known) all.push_back(chosen);
+  return all;
+}
+
 /// Runs all searches with the chosen smoother, then all smoothers with the chosen search, which
-/// finds the same routes each time. A chosen pipeline takes part.
-std::vector<Group> compare(const Task& task, const Arguments& args, const Names& chosen,
+/// finds the same routes each time. A chosen pipeline and chosen options take part.
+std::vector<Group> compare(const Task& task, const Arguments& args, const Choices& chosen,
                            TraceFile& trace) {
-  const std::string &search = chosen.searches.front(), &smoother = chosen.smoothers.front();
-  Names all = known_names(task.space);
-  if (smoother.find('+') != std::string::npos) all.smoothers.push_back(smoother);
+  const PipelineText &search = chosen.searches.front(), &smoother = chosen.smoothers.front();
+  const Names all = known_names(task.space);
   std::vector<Group> groups;
-  for (const std::string& other : all.searches) {
+  for (const PipelineText& other : rivals(all.searches, search)) {
     groups.push_back(plan_goals(task, args, trace, other, smoother));
   }
+  const std::size_t searches = groups.size();
   if (args.prints_tables()) print_searches(groups);
-  for (const std::string& other : all.smoothers) {
+  for (const PipelineText& other : rivals(all.smoothers, smoother)) {
     groups.push_back(plan_goals(task, args, trace, search, other));
     if (args.prints_tables()) add_taut_lengths(task.space, groups.back());
   }
-  if (args.prints_tables()) {
-    print_smoothers(std::span<const Group>(groups).subspan(all.searches.size()));
-  }
+  if (args.prints_tables()) print_smoothers(std::span<const Group>(groups).subspan(searches));
   return groups;
 }
 
 /// Runs every combination of the chosen searches and smoothers.
-std::vector<Group> combine(const Task& task, const Arguments& args, const Names& chosen,
+std::vector<Group> combine(const Task& task, const Arguments& args, const Choices& chosen,
                            TraceFile& trace) {
   std::vector<Group> groups;
-  for (const std::string& search : chosen.searches) {
-    for (const std::string& smoother : chosen.smoothers) {
+  for (const PipelineText& search : chosen.searches) {
+    for (const PipelineText& smoother : chosen.smoothers) {
       groups.push_back(plan_goals(task, args, trace, search, smoother));
       if (args.prints_tables()) print_plans(groups.back());
     }
@@ -72,11 +81,12 @@ bool is_complete(const std::vector<Group>& groups) {
 
 int run(const Arguments& args) {
   if (args.list) {
-    print_names(cell_names());
+    print_names(lattice_names(), cell_names());
     return 0;
   }
-  // Unknown names are rejected before any file is loaded.
-  const Names chosen = choose(args, args.grid.empty() ? lattice_names() : cell_names());
+  // Unknown names and options are rejected before any file is loaded.
+  const Choices chosen = parse_choices(args);
+  check_choices(chosen, !args.grid.empty());
   const Task task = load_task(args);
   if (args.prints_tables()) print_task(args, task);
   TraceFile trace(args.trace);

@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
@@ -107,6 +109,12 @@ Summary summary_of(const Group& group) {
   return sum;
 }
 
+/// The width of a column of labels: that of the longest, and no less than `least`.
+int width_of(std::span<const Group> groups, std::string Result::*label, std::size_t least) {
+  for (const Group& group : groups) least = std::max(least, (group.front().*label).size());
+  return static_cast<int>(least);
+}
+
 void print_failure(const std::string& goal, const Failure& failure) {
   std::printf("%-16s %s: %s\n", goal.c_str(), std::string(to_string(failure.code)).c_str(),
               failure.detail.c_str());
@@ -138,14 +146,39 @@ void print_workspace(const std::string& name, const Scene& scene) {
   std::cout << "workspace: " << report << std::endl;
 }
 
+std::vector<std::string> names_without(const std::vector<std::string>& names,
+                                       const std::vector<std::string>& others) {
+  std::vector<std::string> rest;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(rest), [&](const auto& name) {
+    return std::find(others.begin(), others.end(), name) == others.end();
+  });
+  return rest;
+}
+
+void print_names_of(const std::vector<std::string>& names) {
+  for (const std::string& name : names) std::cout << ' ' << name;
+}
+
+/// Prints the names for both kinds of space, then those for one kind alone.
+void print_list(const char* kind, const std::vector<std::string>& lattice,
+                const std::vector<std::string>& cell) {
+  const auto lattice_only = names_without(lattice, cell);
+  std::cout << kind << ':';
+  print_names_of(names_without(lattice, lattice_only));
+  std::cout << "\n  on workspaces alone:";
+  print_names_of(lattice_only);
+  std::cout << "\n  on grid maps alone:";
+  print_names_of(names_without(cell, lattice));
+  std::cout << '\n';
+}
+
 }  // namespace
 
-void print_names(const Names& names) {
-  std::cout << "search:";
-  for (const std::string& search : names.searches) std::cout << ' ' << search;
-  std::cout << "\nsmoother:";
-  for (const std::string& smoother : names.smoothers) std::cout << ' ' << smoother;
-  std::cout << "\npipeline: A+B smooths with A, then with B\n";
+void print_names(const Names& lattice, const Names& cell) {
+  print_list("search", lattice.searches, cell.searches);
+  print_list("smoother", lattice.smoothers, cell.smoothers);
+  std::cout << "pipeline: A+B smooths with A, then with B\n"
+               "options: NAME:OPTION=VALUE,OPTION=VALUE; --help-NAME prints those of NAME\n";
 }
 
 void print_task(const Arguments& args, const Task& task) {
@@ -174,11 +207,13 @@ void print_plans(const Group& group) {
 void print_searches(std::span<const Group> groups) {
   std::printf("\nall searches, smoother %s; sums over %zu goals\n",
               groups.front().front().smoother.c_str(), groups.front().size());
-  std::printf("%-20s %9s %10s %6s %9s %10s %10s %10s %9s %10s\n", "search", "planned", "length m",
-              "turns", "angle deg", "max curv.", "clear >= m", "expanded", "ms", "/ optimum");
+  const int width = width_of(groups, &Result::search, 20);
+  std::printf("%-*s %9s %10s %6s %9s %10s %10s %10s %9s %10s\n", width, "search", "planned",
+              "length m", "turns", "angle deg", "max curv.", "clear >= m", "expanded", "ms",
+              "/ optimum");
   for (const Group& group : groups) {
     const Summary s = summary_of(group);
-    std::printf("%-20s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f %10s\n",
+    std::printf("%-*s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f %10s\n", width,
                 group.front().search.c_str(), s.share_planned().c_str(), s.length, s.turning_points,
                 degrees(s.turning_angle), s.max_curvature, s.min_clearance,
                 static_cast<unsigned long long>(s.stats.expanded), milliseconds(s.stats),
@@ -189,12 +224,13 @@ void print_searches(std::span<const Group> groups) {
 void print_smoothers(std::span<const Group> groups) {
   std::printf("\nall smoothers, search %s, on the same routes; sums over %zu goals\n",
               groups.front().front().search.c_str(), groups.front().size());
-  std::printf("%-22s %7s %10s %8s %13s %9s %9s %10s %12s %8s %10s %8s %10s\n", "smoother",
+  const int width = width_of(groups, &Result::smoother, 22);
+  std::printf("%-*s %7s %10s %8s %13s %9s %9s %10s %12s %8s %10s %8s %10s\n", width, "smoother",
               "planned", "length m", "/ taut", "max curv. 1/m", "angle deg", "joint deg",
               "clear >= m", "clear mean m", "travel s", "us", "proofs", "/ optimum");
   for (const Group& group : groups) {
     const Summary s = summary_of(group);
-    std::printf("%-22s %7s", group.front().smoother.c_str(), s.share_planned().c_str());
+    std::printf("%-*s %7s", width, group.front().smoother.c_str(), s.share_planned().c_str());
     if (s.planned > 0) {
       std::printf(" %10.4f %8.4f %13.4f %9.2f %9.2f %10.4f %12.4f %8s %10.1f %8zu %10s", s.length,
                   s.over_taut(), s.max_curvature, degrees(s.turning_angle),

@@ -13,8 +13,8 @@
 
 namespace plan_program {
 
-/// Prints all names, for --list.
-void print_names(const Names& names);
+/// Prints the names on workspaces and those on grid maps, for --list.
+void print_names(const Names& lattice, const Names& cell);
 
 /// Prints the task before the tables.
 void print_task(const Arguments& args, const Task& task);

@@ -523,4 +523,220 @@ TEST_CASE("grid maps are planned on their cells, and bad ones refused with the p
   refused(task + "--resolution 2", "--grid brings its own resolution");
 }
 
+TEST_CASE("algorithms take options, and results say all of them") {
+  const Folder folder;
+  const Outcome outcome = folder.run(
+      "--goal 14,6 --json r.json --search astar:heuristic=euclidean,jps,"
+      "rrt_star:iterations=2000,goal_bias=0.1"
+      " --smoother "
+      "delta:join=paper,delta:join=tangent,corner_threshold=0.4,shortcut+bezier:trim=1");
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(contains(outcome.out, "search astar:heuristic=euclidean, smoother delta:join=paper;"));
+  CHECK(contains(outcome.out, "search jps, smoother delta:join=tangent,corner_threshold=0.4;"));
+  CHECK(
+      contains(outcome.out,
+               "search rrt_star:iterations=2000,goal_bias=0.1, smoother shortcut+bezier:trim=1;"));
+  const auto results = nlohmann::json::parse(read(folder / "r.json"))["results"];
+  REQUIRE(results.size() == 9);
+  CHECK(results[0]["search"] == "astar");
+  CHECK(results[0]["smoother"] == "delta");
+  CHECK(results[2]["smoother"] == "shortcut+bezier");
+  CHECK(results[0]["options"]["search"] == nlohmann::json{{"heuristic", "euclidean"}});
+  CHECK(results[3]["options"]["search"] == nlohmann::json::object());
+  const auto tree = results[6]["options"]["search"];
+  CHECK(tree.size() == 5);
+  CHECK(tree["step"].is_null());
+  CHECK(tree["iterations"] == 2000);
+  CHECK(tree["goal_bias"].get<double>() == 0.1);
+  CHECK(tree["neighbours"] == "k_nearest");
+  const auto paper = results[0]["options"]["smoother"];
+  const auto tangent = results[1]["options"]["smoother"];
+  CHECK(paper["join"] == "paper");
+  CHECK(tangent["join"] == "tangent");
+  CHECK(tangent["corner_threshold"].get<double>() == 0.4);
+  CHECK(tangent["min_exterior_angle"].get<double>() == 20 * std::numbers::pi / 180);
+  CHECK(results[0]["curve"] != results[1]["curve"]);
+  const auto stages = results[2]["options"]["smoother"];
+  REQUIRE(stages.size() == 2);
+  CHECK(stages[0] == nlohmann::json::object());
+  CHECK(stages[1]["trim"] == 1.0);
+}
+
+TEST_CASE("options reach the algorithms: a tree of few iterations finds nothing") {
+  const Folder folder;
+  const Outcome few = folder.run("--goal 14,6 --search rrt:iterations=3,rrt:iterations=20000");
+  CHECK(few.code == 1);
+  CHECK(contains(few.out, "budget_exhausted"));
+  CHECK(contains(few.out, "proved"));
+  CHECK(
+      folder.run("--goal 14,6 --search jps_plus --smoother clothoid:spirals=cubic_beziers").code ==
+      0);
+  CHECK(folder.run("--goal 14,6 --smoother delta:corner_threshold=0.05 --svg p.svg").code == 0);
+  CHECK(contains(read(folder / "p.svg"), "</svg>"));
+}
+
+TEST_CASE("with --compare the chosen options stand beside the defaults") {
+  const Folder folder;
+  const Outcome outcome = folder.run(
+      "--compare --goal 14,6 --search weighted_astar:weight=2 --smoother delta:join=tangent");
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "\nweighted_astar "));
+  CHECK(contains(outcome.out, "\nweighted_astar:weight=2 "));
+  const auto rows = comparison_rows(outcome.out);
+  REQUIRE(rows.count("delta") == 1);
+  REQUIRE(rows.count("delta:join=tangent") == 1);
+  CHECK(rows.at("delta")[joint] != rows.at("delta:join=tangent")[joint]);
+}
+
+TEST_CASE("a trace holds two variants of one search") {
+  const Folder folder;
+  REQUIRE(folder
+              .run("--goal 14,6 --search astar,astar:heuristic=chebyshev --smoother none,shortcut "
+                   "--trace t.jsonl")
+              .code == 0);
+  std::istringstream trace(read(folder / "t.jsonl"));
+  std::string line;
+  std::size_t searches = 0;
+  while (std::getline(trace, line)) searches += contains(line, "\"event\":\"search\"") ? 1 : 0;
+  CHECK(searches == 2);
+}
+
+TEST_CASE("errors in options give exit code 2 and one line with the option and what it takes") {
+  const Folder folder;
+  struct Case {
+    std::string arguments, expected;
+  };
+  for (const Case& bad : {
+           Case{"--search rrt_star:iteration=5",
+                "--search rrt_star: unknown option \"iteration\"; did you mean iterations?"},
+           Case{"--search rrt_sta:iterations=5",
+                "--search: unknown name \"rrt_sta\"; did you mean rrt_star?"},
+           Case{"--search astar,rrt_sta", "did you mean rrt_star?"},
+           Case{"--smoother shortcut+bezir:trim=1", "did you mean bezier?"},
+           Case{"--search rrt_star:iterations=x",
+                "--search rrt_star: iterations: expected a whole number from 0 to 4294967295, got "
+                "\"x\""},
+           Case{"--search rrt_star:iterations=1,iterations=2", "\"iterations\" is given twice"},
+           Case{"--smoother delta:join=glue", "join: expected paper or tangent, got \"glue\""},
+           Case{"--search rrt_star:", "expected OPTION=VALUE"},
+           Case{"--search iterations=5", "expected NAME:OPTION=VALUE, got \"iterations=5\""},
+           Case{"--search jps:weight=2", "unknown option \"weight\"; there are none"},
+           Case{"--search any_angle", "--search: any_angle works on grid maps alone (--grid)"},
+           Case{"--search weighted_astar:weight=0.5",
+                "--search weighted_astar:weight=0.5: weight must lie between 1 and 1000"},
+           Case{"--smoother shortcut+bezier:fullness=2",
+                "--smoother bezier:fullness=2: fullness must lie in (0, 1]"},
+           Case{"--compare --smoother bezier:fullness=2", "fullness must lie in (0, 1]"},
+           Case{"--serch astar", "unknown option --serch; did you mean --search?"},
+           Case{"--movment=allow", "unknown option --movment; did you mean --movement?"},
+           Case{"astar", "unexpected argument \"astar\""},
+           Case{"--movement diagonal",
+                "--movement: expected no_cut, no_squeeze, allow or four_connected, got "
+                "\"diagonal\""},
+           Case{"--buffer 1", "--buffer is for the cells of --grid; on a workspace give --radius"},
+           Case{"--help-rrt_sta", "did you mean rrt_star?"},
+           Case{"--help-", "unknown name \"\""},
+       }) {
+    INFO("tutavia-plan " << bad.arguments);
+    const Outcome outcome = folder.run("--goal 14,6 --json r.json " + bad.arguments);
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, bad.expected));
+    CHECK(lines(outcome.err) == 1);
+    CHECK(folder.files() == 0);
+  }
+}
+
+TEST_CASE("--help-NAME prints the options of any algorithm") {
+  const Folder folder;
+  std::istringstream list(folder.run("--list").out);
+  std::string line, name;
+  std::size_t names = 0;
+  for (int row = 0; row < 6 && std::getline(list, line); ++row) {
+    std::istringstream words(line.substr(line.find(':') + 1));
+    while (words >> name) {
+      const Outcome help = folder.run("--help-" + name);
+      INFO(name);
+      CHECK(help.code == 0);
+      CHECK(help.out.find(name + " (--" + (row < 3 ? "search" : "smoother") + "): ") == 0);
+      ++names;
+    }
+  }
+  CHECK(names == 35);
+  const Outcome tree = folder.run("--help-rrt_star");
+  CHECK(lines(tree.out) == 8);  // the name, how options are given, the head and five options
+  CHECK(contains(tree.out, "iterations "));
+  CHECK(contains(tree.out, "k_nearest|radius"));
+  CHECK(contains(folder.run("--help-delta").out, "paper|tangent"));
+  CHECK(contains(folder.run("--help-tangent_graph").out, " inf "));
+  CHECK(contains(folder.run("--help-jps").out, "It has no options."));
+  CHECK(contains(folder.run("--help").out, "--help-NAME"));
+  CHECK(contains(folder.run("--list").out, "--help-NAME"));
+}
+
+TEST_CASE("the movement rule holds on lattices and on grid maps") {
+  const Folder folder;
+  folder.write("step.map", "type octile\nheight 2\nwidth 2\nmap\n.@\n@.\n");
+  const auto length = [&](const std::string& arguments) {
+    const Outcome outcome = folder.run(arguments + " --smoother none --json r.json");
+    INFO(arguments << outcome.err);
+    if (outcome.code != 0) return -1.0;
+    const auto results = nlohmann::json::parse(read(folder / "r.json"))["results"];
+    return results[0]["metrics"]["length"].template get<double>();
+  };
+  folder.write("room.map", "type octile\nheight 3\nwidth 5\nmap\n.....\n.@@@.\n.....\n");
+  const std::string room = "--grid room.map --start 0.5,1.5 --goal 4.5,1.5";
+  CHECK(length(room) == 6);
+  CHECK(length(room + " --movement no_squeeze") == Approx(2 + 2 * std::sqrt(2)));
+  CHECK(length(room + " --movement four_connected") == 6);
+  const std::string maze = "--map maze --goal 14,6";
+  CHECK(length(maze + " --movement four_connected") > length(maze));
+  CHECK(length(maze + " --movement allow") <= length(maze));
+  const Outcome jps = folder.run(maze + " --movement allow --search jps");
+  CHECK(jps.code == 1);
+  CHECK(contains(jps.out, "invalid_option"));
+}
+
+TEST_CASE("--buffer keeps paths off the cells around blocked ones") {
+  const Folder folder;
+  folder.write("wall.map",
+               "type octile\nheight 7\nwidth 7\nmap\n"
+               ".......\n.......\n.......\n...@...\n.......\n.......\n.......\n");
+  const std::string task = "--grid wall.map --start 0.5,3.5 --goal 6.5,3.5 --json r.json ";
+  const auto clearance = [&](const std::string& arguments) {
+    const Outcome outcome = folder.run(task + arguments);
+    INFO(arguments << outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    const auto results = nlohmann::json::parse(read(folder / "r.json"))["results"];
+    double farthest = 0;
+    for (const auto& piece : results[0]["route"]) {
+      for (const auto& point : piece["points"]) {
+        farthest = std::max(farthest, std::abs(point[1].get<double>() - 3.5));
+      }
+    }
+    return farthest;
+  };
+  CHECK(clearance("") == 1);
+  CHECK(clearance("--buffer 0") == 1);
+  CHECK(clearance("--buffer 1") == 2);
+  CHECK(clearance("--buffer 2") == 3);
+  CHECK(folder.run(task + "--buffer 3").code == 1);
+  CHECK(folder.run(task + "--buffer 1 --svg p.svg").code == 0);
+
+  // The cell of a goal in the buffer stays free, which is said.
+  const Outcome near = folder.run("--grid wall.map --start 0.5,3.5 --goal 4.5,3.5 --buffer 1");
+  CHECK(near.code == 0);
+  CHECK(near.err ==
+        "tutavia-plan: --buffer: cell (4, 3) of the start or a goal lies in the buffer and stays "
+        "free\n");
+  const Outcome shut = folder.run("--grid wall.map --start 0.5,3.5 --goal 4.5,3.5 --buffer 2");
+  CHECK(shut.code == 1);
+  CHECK(folder.run(task + "--buffer -1").code == 2);
+  CHECK(contains(folder.run(task + "--buffer=-1").err, "--buffer: the width of a safety buffer"));
+  CHECK(folder.run(task + "--buffer x").code == 2);
+  CHECK(folder.run("--grid wall.map --start 1e300,3.5 --goal 4.5,3.5 --buffer 1").code == 1);
+}
+
 }  // namespace
