@@ -116,7 +116,8 @@ Task load_workspace(const Arguments& args) {
   throw_failure(validate(scene.workspace));
   if (args.strict) refuse_self_crossing(scene.workspace);
   LatticeSpace space = value_or_throw(LatticeSpace::build(
-      scene.workspace, {.resolution = scene.resolution, .movement = args.movement}));
+      scene.workspace,
+      {.resolution = scene.resolution, .movement = args.movement, .edges = args.edges}));
   scene.resolution = space.frame().resolution;
   return {.scene = std::move(scene), .space = std::move(space)};
 }
@@ -146,6 +147,8 @@ CellMap load_cells(const Arguments& args) {
   if (args.resolution || !args.bounds.empty()) {
     throw UsageError{"--grid brings its own resolution and bounds"};
   }
+  if (args.edges != EdgeRule::uniform)
+    throw UsageError{"--edges is for the lattice of a workspace"};
   const CellOptions options{.safety_radius = args.radius.value_or(0), .movement = args.movement};
   const std::string kind = extension(args.grid);
   if (kind == ".yaml" || kind == ".yml") return load_ros_map(args, options);

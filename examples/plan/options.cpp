@@ -44,6 +44,14 @@ void define_input_options(CLI::App& app, Arguments& args) {
         args.movement = *rule;
       },
       "Diagonal steps: no_cut (default), no_squeeze, allow, or four_connected for none");
+  app.add_option_function<std::string>(
+      "--edges",
+      [&args](const std::string& text) {
+        auto rule = tutavia::parse_edge_rule(text);
+        if (!rule) throw UsageError{"--edges: " + rule.error().detail};
+        args.edges = *rule;
+      },
+      "Lattice edges: uniform (default), or paper_strict as in the DSP paper");
   app.add_option("--buffer", args.buffer,
                  "With --grid: also block the cells within this many cells of a blocked one; the "
                  "cells of start and goals stay free");

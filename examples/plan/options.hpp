@@ -9,6 +9,7 @@
 
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/grid/movement.hpp"
+#include "tutavia/space/lattice_space.hpp"
 
 /// \file
 /// The command line of tutavia-plan.
@@ -30,6 +31,7 @@ struct Arguments {
   bool strict = false;
   std::optional<double> resolution{};
   tutavia::MovementRule movement = tutavia::MovementRule::no_cut;
+  tutavia::EdgeRule edges = tutavia::EdgeRule::uniform;
   std::optional<int> buffer{};  ///< [cells]
   std::string search = "astar";
   std::string smoother = "delta";

@@ -579,14 +579,28 @@ TEST_CASE("options reach the algorithms: a tree of few iterations finds nothing"
 TEST_CASE("with --compare the chosen options stand beside the defaults") {
   const Folder folder;
   const Outcome outcome = folder.run(
-      "--compare --goal 14,6 --search weighted_astar:weight=2 --smoother delta:join=tangent");
+      "--compare --goal 14,6 --search weighted_astar:weight=2 --smoother delta:join=paper");
   CHECK(outcome.code == 0);
   CHECK(contains(outcome.out, "\nweighted_astar "));
   CHECK(contains(outcome.out, "\nweighted_astar:weight=2 "));
   const auto rows = comparison_rows(outcome.out);
   REQUIRE(rows.count("delta") == 1);
-  REQUIRE(rows.count("delta:join=tangent") == 1);
-  CHECK(rows.at("delta")[joint] != rows.at("delta:join=tangent")[joint]);
+  REQUIRE(rows.count("delta:join=paper") == 1);
+  CHECK(rows.at("delta")[joint] != rows.at("delta:join=paper")[joint]);
+}
+
+TEST_CASE("--edges paper_strict gives the published lengths of A*") {
+  const Folder folder;
+  const std::string task = "--edges paper_strict --goal 14.5,14.5 --smoother none ";
+  const Outcome outcome = folder.run(task + "--search astar,theta_star,jps --json r.json");
+  CHECK(outcome.code == 1);
+  const auto results = nlohmann::json::parse(read(folder / "r.json")).at("results");
+  REQUIRE(results.size() == 3);
+  CHECK(results[0].at("metrics").at("length").get<double>() == Approx(22.7782).epsilon(2e-6));
+  CHECK(results[1].at("metrics").at("length").get<double>() < 20);
+  CHECK(results[2].at("status") == "invalid_option");
+  CHECK(folder.run("--edges strict").code == 2);
+  CHECK(contains(folder.run("--edges paper_strict --movement allow").err, "by_edge"));
 }
 
 TEST_CASE("a trace holds two variants of one search") {

@@ -117,7 +117,7 @@ TEST_CASE("options have the names of their members, and enumerators their own") 
   }
   CHECK(check_all(Searches{}) + check_all(Smoothers{}) == described);
   CHECK(described > 50);
-  check_names<MovementRule>("movement");
+  check_names<EdgeRule>("edges");
 }
 
 TEST_CASE("every algorithm and every option is described by a phrase") {

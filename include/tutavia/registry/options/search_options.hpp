@@ -58,6 +58,11 @@ struct EnumNames<ExitCost> {
 };
 
 template <>
+struct EnumNames<ExitTarget> {
+  static constexpr std::array<std::string_view, 2> names{"goal", "newest_exit"};
+};
+
+template <>
 struct OptionTable<Dijkstra> {
   static constexpr std::string_view sentence = "A* without a heuristic";
   static constexpr auto fields = option_fields<Dijkstra>(data<&Dijkstra::costs>());
@@ -153,8 +158,10 @@ struct OptionTable<SsaAStar::Weights> {
 template <>
 struct OptionTable<SsaAStar> {
   static constexpr std::string_view sentence = "A* with a heuristic tuned by a salp swarm";
-  static constexpr auto fields =
-      option_fields<SsaAStar>(field<&SsaAStar::weights>("weights", "", ""));
+  static constexpr auto fields = option_fields<SsaAStar>(
+      field<&SsaAStar::weights>("weights", "", ""),
+      field<&SsaAStar::reopen>(
+          "reopen", "", "whether a cell is expanded again when a cheaper path to it is found"));
 };
 
 template <>
@@ -191,6 +198,8 @@ struct OptionTable<ImprovedReaStar> {
       "Rectangle expansion from both ends, with exits evaluated at their midpoints";
   static constexpr auto fields = option_fields<ImprovedReaStar>(
       field<&ImprovedReaStar::exit_cost>("exit_cost", "", "how the cost of an exit is summed"),
+      field<&ImprovedReaStar::target>("target", "",
+                                      "towards what the rest of the way from an exit is estimated"),
       field<&ImprovedReaStar::continue_after_contact>(
           "continue_after_contact", "",
           "whether to go on after the two searches have met, for a shorter path"),
