@@ -20,7 +20,7 @@ case ${1:-} in
   headers)
     git ls-files 'include/*.hpp' | sed 's|^include/||' |
       for_each "echo '#include \"{}\"' | clang++ ${flags[*]} -x c++ -fsyntax-only -"
-    git ls-files 'benchmarks/*.cpp' |
+    git ls-files 'benchmarks/*.cpp' ':!benchmarks/reproduce' |
       for_each "clang++ ${flags[*]} -Itests -DTUTAVIA_TEST_DATA='\"\"' -fsyntax-only {}"
     ;;
   compilers)

@@ -90,4 +90,14 @@ inline std::vector<ReaMap> rea_maps() {
   return maps;
 }
 
+/// The substitute for the raster of the JPS_Theta* paper: 20 rows of 30 cells.
+inline PaperTask jps_theta_task() {
+  const auto map = detail::read_data("jps_theta_map.json").at("jps_theta_20x30");
+  const auto cell = [&](const char* key) { return Cell{map.at(key).at(0), map.at(key).at(1)}; };
+  auto space = CellSpace::build(detail::to_grid(map.at("rows"))).value();
+  const Query query{.start = space.frame().point(cell("start")),
+                    .goal = space.frame().point(cell("goal"))};
+  return {std::move(space), query};
+}
+
 }  // namespace tutavia::test
