@@ -3,9 +3,9 @@
 # Compiles, without making code and with warnings as errors, what the test build does not.
 #
 #   cmake/check_compiles.sh headers      every header alone, and the benchmarks
-#   cmake/check_compiles.sh compilers    the umbrella, the JSON headers, the README's program, the
-#                                        examples and tutavia-plan with g++ and with clang 19, beside
-#                                        the headers of Boost 1.81
+#   cmake/check_compiles.sh compilers    the umbrella, the JSON headers, the README's program and the
+#                                        exact checker with g++ and clang 19 beside the headers of
+#                                        Boost 1.81; every algorithm (the registries) with clang 19
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=build/compiles
@@ -33,9 +33,10 @@ case ${1:-} in
       echo '#include "tutavia/registry.hpp"'
       git ls-files 'include/*_json.hpp' | sed 's|^include/\(.*\)|#include "\1"|'
     } >$out/umbrella.cpp
-    # Sources beside the README's program include Boost only in the exact checkers.
-    ls $out/*.cpp $(git ls-files 'examples/*.cpp' tests/certify/exact_test.cpp) |
-      sed 's/.*/g++ &\nclang++-19 &/' |
+    {
+      ls $out/*.cpp tests/certify/exact_test.cpp | sed 's/.*/g++ &\nclang++-19 &/'
+      ls examples/plan/registry_*.cpp | sed 's/.*/clang++-19 &/'
+    } |
       for_each "set -- {}; \$1 ${flags[*]} -Itests -isystem $out/boost/usr/include -fsyntax-only \$2"
     ;;
   *) echo "usage: cmake/check_compiles.sh headers|compilers" >&2; exit 2 ;;

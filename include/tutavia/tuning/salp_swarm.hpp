@@ -97,12 +97,16 @@ struct SalpSwarm {
     return {};
   }
 
-  /// Sorts the salps by their values; equal ones keep their order.
+  /// Sorts the salps by their values, NaN last; equal ones keep their order.
   static void rank(std::vector<Position>& salps, std::span<const double> values) {
     std::vector<std::size_t> order(salps.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    const auto key = [&](std::size_t i) {
+      return std::isnan(values[i]) ? std::numeric_limits<double>::infinity() : values[i];
+    };
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return key(a) != key(b) ? key(a) < key(b) : a < b;
+    });
     std::vector<Position> ranked;
     ranked.reserve(salps.size());
     for (const std::size_t i : order) ranked.push_back(std::move(salps[i]));
