@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "support/catch.hpp"
 #include "support/random_worlds.hpp"
@@ -55,6 +56,51 @@ TEST_CASE("a curve that only looks safe at samples is refused, with a witness") 
   const QuadraticBezier safe{
       {Point(-1, low + 1 + 2e-9), Point(0, low - 1 + 2e-9), Point(1, low + 1 + 2e-9)}};
   CHECK(certify(space, curve_of(safe)).status == ProofStatus::proved);
+}
+
+/// A space whose distances are 0.01 m too low, and which says so.
+class Blurred {
+ public:
+  explicit Blurred(InflatedSpace space) : space_(std::move(space)) {}
+
+  bool is_free(const Point& p) const { return space_.is_free(p); }
+  bool segment_free(const Point& p, const Point& q) const { return space_.segment_free(p, q); }
+  const Box& bounds() const { return space_.bounds(); }
+  double clearance(const Point& p) const { return space_.clearance(p) - error; }
+  template <class P>
+  NearestObstacle nearest(const P& piece, double cap) const {
+    NearestObstacle found = space_.nearest(piece, cap + error);
+    found.distance -= error;
+    return found;
+  }
+  bool is_inside(const Point& p) const { return space_.is_inside(p); }
+  double safety_radius() const { return space_.safety_radius(); }
+  double distance_error_bound() const { return 1.001 * error; }
+  double largest_coordinate() const { return space_.largest_coordinate(); }
+
+ private:
+  static constexpr double error = 0.01;
+
+  InflatedSpace space_;
+};
+
+TEST_CASE("a space may be less exact than rounding: the interval and the verdicts allow for it") {
+  const Blurred space(disc_space(0.5));
+  const auto check = [&](double distance_to_disc) {
+    const double y = 1 + distance_to_disc;
+    const Piece pieces[] = {Segment{{-3, y}, {3, y}}, Arc::around({0, y + 1}, 1, -2, 1),
+                            QuadraticBezier{{Point(-2, y + 1), Point(0, y - 1), Point(2, y + 1)}}};
+    for (const Piece& piece : pieces) {
+      const Certificate c = certify(space, curve_of(piece));
+      if (distance_to_disc < 0.47) CHECK(c.status == ProofStatus::violated);
+      if (distance_to_disc < 0.5) CHECK(c.status != ProofStatus::proved);
+      if (distance_to_disc > 0.5) CHECK(c.status != ProofStatus::violated);
+      if (c.status != ProofStatus::proved) continue;
+      CHECK(c.lower <= distance_to_disc);
+      CHECK(c.upper >= distance_to_disc);
+    }
+  };
+  for (const double d : {0.46, 0.495, 0.501, 0.505, 0.509, 0.515, 0.53, 2.0}) check(d);
 }
 
 TEST_CASE("no verdict is wrong on random pieces in random worlds") {

@@ -41,8 +41,10 @@ class ClearanceInterval {
 
   template <class P>
   void add(const P& piece, std::size_t index) {
-    magnitude_ = std::fmax(space_.largest_coordinate(), piece.box().largest_coordinate());
-    error_ = piece_error(piece, magnitude_);
+    const double magnitude =
+        std::fmax(space_.largest_coordinate(), piece.box().largest_coordinate());
+    error_bound_ = std::fmax(space_.distance_error_bound(), distance_rounding_error(magnitude));
+    error_ = piece_error(piece, magnitude);
     if constexpr (Divisible<P>) {
       PartStack<P> stack(piece);
       std::size_t evaluations = 0;
@@ -75,7 +77,7 @@ class ClearanceInterval {
   template <class P, class Substitute>
   Narrowed narrow(const P& piece, std::size_t index, const Part<P>& part,
                   const Substitute& substitute, double deviation) {
-    const double margin = deviation + distance_rounding_error(magnitude_) + error_.at(part.depth);
+    const double margin = deviation + error_bound_ + error_.at(part.depth);
     const NearestObstacle found = space_.nearest(substitute, out_.upper + margin);
     ++out_.evaluations;
     if (found.distance + margin < out_.upper) {
@@ -94,7 +96,7 @@ class ClearanceInterval {
   std::size_t max_evaluations_;
   Certificate& out_;
   // Of the current piece.
-  double magnitude_ = 0;
+  double error_bound_ = 0;
   PieceError error_;
 };
 

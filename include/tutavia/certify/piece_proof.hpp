@@ -189,7 +189,8 @@ PieceProof prove_distance(const S& space, const P& piece, double distance,
     }
   }
   const double magnitude = std::fmax(space.largest_coordinate(), piece.box().largest_coordinate());
-  const double error_bound = detail::distance_rounding_error(magnitude);
+  const double error_bound =
+      std::fmax(space.distance_error_bound(), detail::distance_rounding_error(magnitude));
   PieceProof proof = detail::prove(space, piece, distance, error_bound, max_evaluations);
   // A connected path that avoids all edges is outside all polygons or inside one. (The exact test
   // of a segment, which may touch edges at radius 0, includes the interiors.)
