@@ -130,6 +130,18 @@ class LayersTest(unittest.TestCase):
         self.append("io/wkt.hpp", "#include <boost/geometry.hpp>\n")
         self.assert_breach("includes Boost")
 
+    def test_boost_through_another_header(self):
+        self.append("io/wkt.hpp", '#include "tutavia/geometry/boost_adapt.hpp"\n')
+        self.assert_breach("io/wkt.hpp", "includes geometry/boost_adapt.hpp and with it Boost")
+
+    def test_boost_in_an_umbrella(self):
+        self.append("geometry.hpp", '#include "tutavia/geometry/boost_adapt.hpp"\n')
+        self.assert_breach("geometry.hpp: includes geometry/boost_adapt.hpp, which is not its own")
+
+    def test_stale_exception_for_boost(self):
+        self.write("geometry/boost_adapt.hpp", HEADER)
+        self.assert_breach("WITH_BOOST names geometry/boost_adapt.hpp, which does not include Boost")
+
     def test_eigen_in_core(self):
         self.append("core/budget.hpp", "#include <Eigen/Core>\n")
         self.assert_breach("core/budget.hpp", "includes Eigen")

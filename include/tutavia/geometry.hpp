@@ -5,6 +5,7 @@
 /// The module geometry: points, curves, polygons and exact predicates.
 
 #include "tutavia/geometry/arc.hpp"
+#include "tutavia/geometry/areal.hpp"
 #include "tutavia/geometry/b_spline.hpp"
 #include "tutavia/geometry/bezier.hpp"
 #include "tutavia/geometry/box.hpp"

@@ -141,7 +141,9 @@ TEST_CASE("what is prepared for searches is made from any space of its concept")
   runs.run(Dijkstra{.costs = clearance_costs(with_clearance, {}).value()}, with_clearance);
 
   const ClearanceArchetype clearance;
-  CHECK(grid_builder(clearance).build({.resolution = 1}).value().grid.is_free({8, 8}));
+  const auto function = [&clearance](const Point& p) -> double { return clearance.clearance(p); };
+  const GridBuilder builder(function, clearance.bounds(), 0.25);
+  CHECK(builder.build({.resolution = 1})->grid().is_free({8, 8}));
   CHECK(RiskZone{}.cost(clearance, query.start, query.goal) == distance(query.start, query.goal));
   CHECK(RiskZone{}.length_inside(clearance, Curve{}).value == 0);
 

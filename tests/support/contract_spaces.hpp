@@ -12,6 +12,7 @@
 #include "support/cell_world.hpp"
 #include "support/contract.hpp"
 #include "support/exact_checker.hpp"
+#include "support/field_space.hpp"
 #include "support/random_query.hpp"
 #include "support/random_worlds.hpp"
 #include "support/reference_distance.hpp"
@@ -71,6 +72,8 @@ Arena<S> arena(Workspace world, double resolution, Robot robot) {
     return {std::move(space), std::move(cells)};
   } else if constexpr (std::same_as<S, LatticeSpace>) {
     return {LatticeSpace::build(world, {.resolution = resolution}).value(), world};
+  } else if constexpr (std::same_as<S, FieldSpace>) {
+    return {field_space(world, {.resolution = resolution}), world};
   } else {
     return {InflatedSpace::build(world).value(), world};
   }

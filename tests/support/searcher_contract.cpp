@@ -240,5 +240,6 @@ Breaches broken_clauses(const AnySearch<S>& search, const SearcherPromise& promi
 template Breaches broken_clauses(const AnySearch<LatticeSpace>&, const SearcherPromise&);
 template Breaches broken_clauses(const AnySearch<CellSpace>&, const SearcherPromise&);
 template Breaches broken_clauses(const AnySearch<InflatedSpace>&, const SearcherPromise&);
+template Breaches broken_clauses(const AnySearch<FieldSpace>&, const SearcherPromise&);
 
 }  // namespace tutavia::test

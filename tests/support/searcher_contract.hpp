@@ -46,7 +46,8 @@ struct SearcherPromise {
   double found = 1;
 };
 
-/// The clauses that a searcher breaks on spaces of type S: LatticeSpace, CellSpace, InflatedSpace.
+/// The clauses that a searcher breaks on spaces of type S: LatticeSpace, CellSpace, InflatedSpace,
+/// FieldSpace.
 template <class S>
 Breaches broken_clauses(const AnySearch<S>& search, const SearcherPromise& promise);
 

@@ -103,5 +103,6 @@ Breaches broken_clauses(const AnySmoother<S>& smoother, const SmootherPromise& p
 template Breaches broken_clauses(const AnySmoother<LatticeSpace>&, const SmootherPromise&);
 template Breaches broken_clauses(const AnySmoother<CellSpace>&, const SmootherPromise&);
 template Breaches broken_clauses(const AnySmoother<InflatedSpace>&, const SmootherPromise&);
+template Breaches broken_clauses(const AnySmoother<FieldSpace>&, const SmootherPromise&);
 
 }  // namespace tutavia::test

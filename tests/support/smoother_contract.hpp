@@ -27,7 +27,8 @@ struct SmootherPromise {
   BudgetUse budget = BudgetUse::reported;
 };
 
-/// The clauses that a smoother breaks on spaces of type S: LatticeSpace, CellSpace, InflatedSpace.
+/// The clauses that a smoother breaks on spaces of type S: LatticeSpace, CellSpace, InflatedSpace,
+/// FieldSpace.
 template <class S>
 Breaches broken_clauses(const AnySmoother<S>& smoother, const SmootherPromise& promise);
 

@@ -4,140 +4,144 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <string>
+#include <optional>
 #include <utility>
 
+#include "tutavia/geometry/areal.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/plan/failure.hpp"
-#include "tutavia/space/concepts.hpp"
-#include "tutavia/world/frame.hpp"
+#include "tutavia/space/cell_space.hpp"
+#include "tutavia/space/distance_field_space.hpp"
+#include "tutavia/space/index/lattice_sampler.hpp"
+#include "tutavia/space/lattice_space.hpp"
+#include "tutavia/world/obstacles_from.hpp"
+#include "tutavia/world/workspace.hpp"
 
 /// \file
-/// GridBuilder: samples free space on a lattice on which every step between free nodes is safe.
+/// GridBuilder: a space with a grid from any description of the obstacles.
 
 namespace tutavia {
 
-namespace detail {
-
-/// A function that maps a point to a lower bound of its signed clearance [m]. It is 1-Lipschitz:
-/// two values differ by at most the distance between the points, as exact clearances do.
+/// A function `bool(Point)`: whether a point is free of obstacles.
+///
+/// Example: examples/obstacle_sources.cpp.
 template <class F>
-concept ClearanceFunction = std::regular_invocable<const F&, const Point&> &&
-    requires(const F& clearance, const Point& p) {
-  { clearance(p) } -> std::same_as<double>;
+concept PointPredicate = std::copy_constructible<F> &&
+    std::regular_invocable<const F&, const Point&> && requires(const F& is_free, const Point& p) {
+  { is_free(p) } -> std::same_as<bool>;
 };
 
-}  // namespace detail
+/// What describes the obstacles to a GridBuilder.
+///
+/// Example: examples/obstacle_sources.cpp.
+template <class S>
+concept ObstacleSource =
+    std::same_as<S, Workspace> || Areal<S> || ClearanceFunction<S> || PointPredicate<S>;
 
-/// A grid and its frame in the plane.
-struct SampledGrid {
-  OccupancyGrid grid;
-  Frame frame;
-};
-
-/// Options of the sampling. The resolution is required.
+/// Options of the grid.
 struct GridOptions {
-  double resolution = 0;                           ///< lattice spacing delta [m]
+  /// Spacing of the nodes, or side of a cell [m]. Default: 1/200 of the larger side of the bounds.
+  std::optional<double> resolution{};
+  MovementRule movement = MovementRule::no_cut;
   std::int64_t max_nodes = std::int64_t{1} << 28;  ///< more than these: limit_exceeded
 };
 
-/// Samples a clearance function on the lattice of the points (i delta, j delta) within the bounds.
+/// Builds the space with a grid that suits a description of the obstacles:
 ///
-/// A node is free iff its clearance is at least sqrt(r^2 + delta^2 / 2). A segment between two such
-/// nodes at most sqrt(2) delta apart keeps a distance of r from every obstacle: if an obstacle
-/// point is at least T away from both ends of a segment of length L, then by Stewart's theorem its
-/// squared distance to the point at fraction x is at least T^2 - x (1 - x) L^2 >= T^2 - L^2 / 4. So
-/// no edge needs a test. The threshold includes a margin of two rounding errors and of 1e-9 delta,
-/// which covers paths that start within 1e-9 delta of a node.
+/// | source | space | proofs hold for |
+/// |---|---|---|
+/// | Workspace | LatticeSpace | its obstacles |
+/// | an area (Areal): Polygon, a polygon of Boost.Geometry, ... | LatticeSpace | the area |
+/// | a ClearanceFunction, `double(Point)` | DistanceFieldSpace | obstacles no closer than its
+/// values | | a PointPredicate, `bool(Point)` | CellSpace | the cells |
 ///
-/// The clearance is 1-Lipschitz, so the value at its centre decides a whole block of nodes unless
-/// an obstacle boundary is near. The work grows with the length of the boundaries, not with the
-/// area.
-template <detail::ClearanceFunction F>
+/// **Lattices** (the first three). A node (i delta, j delta) is free iff its clearance is at least
+/// sqrt(r^2 + delta^2 / 2), with a small margin for rounding. If an obstacle point is at least T
+/// away from both ends of a segment of length L, then by Stewart's theorem its squared distance to
+/// the segment is at least T^2 - L^2 / 4. So every step to one of the eight neighbours, at most
+/// sqrt(2) delta long, keeps the safety radius, and no step needs a test.
+///
+/// **Cells** (a predicate). A cell is blocked if its centre is not free. The cells fill the bounds
+/// from their lower left corner; a strip narrower than a cell may be left out at the other sides. A
+/// path is proved to keep the safety radius from all blocked cells. That is no proof for obstacles
+/// between the centres: a wall thinner than a cell can be missed. An obstacle of which no point is
+/// more than h from the centre of a blocked cell is safe with a radius increased by h.
+///
+/// Other options of a space: call its own `build`.
+///
+/// Example: examples/obstacle_sources.cpp.
+template <ObstacleSource Source>
 class GridBuilder {
  public:
-  /// `error_bound` is the rounding error of one value of `clearance` [m].
-  GridBuilder(F clearance, const Box& bounds, double safety_radius, double error_bound)
-      : clearance_(std::move(clearance)),
-        bounds_(bounds),
-        safety_radius_(safety_radius),
-        error_bound_(error_bound) {}
+  explicit GridBuilder(Source workspace) requires std::same_as<Source, Workspace>
+      : source_(std::move(workspace)),
+        bounds_(source_.bounds),
+        safety_radius_(source_.safety_radius) {}
+  GridBuilder(Source source, const Box& bounds,
+              double safety_radius) requires(!std::same_as<Source, Workspace>)
+      : source_(std::move(source)), bounds_(bounds), safety_radius_(safety_radius) {}
 
-  /// Errors: `invalid_option` for a resolution that is not positive and finite, `limit_exceeded`
-  /// for too many nodes.
-  Expected<SampledGrid, Failure> build(const GridOptions& options) const {
-    const double delta = options.resolution;
-    if (!(delta > 0) || !std::isfinite(delta)) {
-      return fail(PlanError::invalid_option, "resolution must be positive and finite");
+  /// The space, for `Planner` and every search and smoother that it suits. Errors: `invalid_input`
+  /// for obstacles, bounds or a radius that `validate` rejects, `invalid_option` for a resolution
+  /// that is not positive and finite and for the movement rule `by_edge`, `limit_exceeded` for more
+  /// than `max_nodes` nodes.
+  auto build(const GridOptions& options = {}) const {
+    if constexpr (std::same_as<Source, Workspace>) {
+      return lattice(source_, options);
+    } else if constexpr (Areal<Source>) {
+      return lattice({bounds_, safety_radius_, obstacles_from(source_)}, options);
+    } else if constexpr (ClearanceFunction<Source>) {
+      return DistanceFieldSpace<Source>::build(source_, bounds_, safety_radius_,
+                                               {.resolution = options.resolution,
+                                                .movement = options.movement,
+                                                .max_nodes = options.max_nodes});
+    } else {
+      return cells(options);
     }
-    const Point low{std::ceil(bounds_.min.x() / delta), std::ceil(bounds_.min.y() / delta)};
-    const Point high{std::floor(bounds_.max.x() / delta), std::floor(bounds_.max.y() / delta)};
-    constexpr double largest = 0x1p30;
-    if (!(std::fmax(detail::max_magnitude(low), detail::max_magnitude(high)) < largest)) {
-      return fail(PlanError::limit_exceeded,
-                  "resolution " + std::to_string(delta) + " m needs more than 2^30 nodes per axis");
-    }
-    const Frame frame{{low.x() * delta, low.y() * delta}, delta};
-    const auto count = [](double from, double to) {
-      return static_cast<std::int64_t>(std::fmax(to - from + 1, 0));
-    };
-    auto grid = OccupancyGrid::blocked(count(low.x(), high.x()), count(low.y(), high.y()),
-                                       options.max_nodes);
-    if (!grid) return Unexpected{grid.error()};
-    SampledGrid result{std::move(*grid), frame};
-    const Sampler sampler{*this, result,
-                          std::sqrt(safety_radius_ * safety_radius_ + delta * delta / 2) +
-                              2 * error_bound_ + 1e-9 * delta};
-    sampler.fill({0, 0}, {result.grid.width() - 1, result.grid.height() - 1});
-    return result;
   }
 
  private:
-  struct Sampler {
-    const GridBuilder& builder;
-    SampledGrid& out;
-    double threshold;
+  static Expected<LatticeSpace, Failure> lattice(const Workspace& workspace,
+                                                 const GridOptions& options) {
+    return LatticeSpace::build(workspace, {.resolution = options.resolution,
+                                           .movement = options.movement,
+                                           .max_nodes = options.max_nodes});
+  }
 
-    /// Marks the free nodes of the block from `low` to `high`, both included.
-    void fill(Cell low, Cell high) const {
-      if (low.x > high.x || low.y > high.y) return;
-      const Point a = out.frame.point(low), b = out.frame.point(high);
-      const double clearance = builder.clearance_(detail::lerp(a, b, 0.5));
-      const double reach = 0.5 * distance(a, b);
-      if (clearance + reach < threshold) return;
-      if (low == high || clearance - reach >= threshold) return set_free(low, high);
-      if (high.x - low.x >= high.y - low.y) {
-        const int middle = low.x + (high.x - low.x) / 2;
-        fill(low, {middle, high.y});
-        fill({middle + 1, low.y}, high);
-      } else {
-        const int middle = low.y + (high.y - low.y) / 2;
-        fill(low, {high.x, middle});
-        fill({low.x, middle + 1}, high);
+  Expected<CellSpace, Failure> cells(const GridOptions& options) const {
+    if (const auto valid = validate(Workspace{bounds_, safety_radius_, {}}); !valid) {
+      return Unexpected{valid.error()};
+    }
+    const double side = options.resolution.value_or(detail::default_resolution(bounds_));
+    if (auto valid = detail::check_resolution(bounds_, side); !valid) {
+      return Unexpected{valid.error()};
+    }
+    // Rounding must not cost a row of cells.
+    const auto count = [&](double size) {
+      return static_cast<std::int64_t>(std::floor(size / side * (1 + 0x1p-40)));
+    };
+    auto grid =
+        OccupancyGrid::blocked(count(bounds_.width()), count(bounds_.height()), options.max_nodes);
+    if (!grid) return Unexpected{grid.error()};
+    for (int y = 0; y < grid->height(); ++y) {
+      for (int x = 0; x < grid->width(); ++x) {
+        const Point centre{bounds_.min.x() + side * (x + 0.5), bounds_.min.y() + side * (y + 0.5)};
+        if (source_(centre)) grid->set({x, y}, true);
       }
     }
+    return CellSpace::build(std::move(*grid), {.resolution = side,
+                                               .origin = bounds_.min,
+                                               .safety_radius = safety_radius_,
+                                               .movement = options.movement});
+  }
 
-    void set_free(Cell low, Cell high) const {
-      for (int y = low.y; y <= high.y; ++y) {
-        for (int x = low.x; x <= high.x; ++x) {
-          // Rounding may move the outermost nodes past the bounds.
-          if (builder.bounds_.contains(out.frame.point({x, y}))) out.grid.set({x, y}, true);
-        }
-      }
-    }
-  };
-
-  F clearance_;
+  Source source_;
   Box bounds_;
   double safety_radius_;
-  double error_bound_;
 };
 
-/// A builder for any space with clearances. It keeps a reference to the space.
-template <ClearanceSpace S>
-auto grid_builder(const S& space) {
-  return GridBuilder([&space](const Point& p) -> double { return space.clearance(p); },
-                     space.bounds(), space.safety_radius(), space.distance_error_bound());
-}
+GridBuilder(Workspace)->GridBuilder<Workspace>;
+template <class Source>
+GridBuilder(Source, const Box&, double) -> GridBuilder<Source>;
 
 }  // namespace tutavia

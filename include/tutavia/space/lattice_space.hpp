@@ -11,8 +11,8 @@
 
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/concepts.hpp"
-#include "tutavia/space/grid_builder.hpp"
 #include "tutavia/space/index/grid_layer.hpp"
+#include "tutavia/space/index/lattice_sampler.hpp"
 #include "tutavia/space/index/strict_edges.hpp"
 #include "tutavia/space/inflated_space.hpp"
 
@@ -68,9 +68,11 @@ class LatticeSpace {
     if (is_strict) obstacles.safety_radius = std::max(workspace.safety_radius - 1e-9, 0.0);
     auto space = InflatedSpace::build(std::move(obstacles));
     if (!space) return Unexpected{space.error()};
-    auto sampled = grid_builder(*space).build(
-        {.resolution = options.resolution.value_or(default_resolution(workspace.bounds)),
-         .max_nodes = options.max_nodes});
+    auto sampled = detail::sample_lattice(
+        [&space](const Point& p) { return space->clearance(p); }, space->bounds(),
+        space->safety_radius(), space->distance_error_bound(),
+        options.resolution.value_or(detail::default_resolution(workspace.bounds)),
+        options.max_nodes);
     if (!sampled) return Unexpected{sampled.error()};
     std::shared_ptr<const detail::StrictEdges> edges;
     if (is_strict) {
@@ -144,10 +146,6 @@ class LatticeSpace {
   /// Whether a segment is free, with EdgeRule::paper_strict also by the paper's zones.
   bool can_join(const Point& p, const Point& q) const {
     return segment_free(p, q) && (edges_ == nullptr || !edges_->zones.enters(p, q));
-  }
-
-  static double default_resolution(const Box& bounds) {
-    return std::max(bounds.width(), bounds.height()) / 200;
   }
 
   LatticeSpace(InflatedSpace space, detail::GridLayer layer,

@@ -39,7 +39,7 @@ struct StrictEdges {
   std::vector<StepSet> steps;
 };
 
-/// Nodes and edges in a grid and frame from a GridBuilder. Marks the free nodes in `grid`.
+/// Nodes and edges in a grid and frame from `sample_lattice`. Marks the free nodes in `grid`.
 inline StrictEdges strict_edges(const InflatedSpace& space, const Frame& frame,
                                 OccupancyGrid& grid) {
   StrictEdges result{MitredZones(space.workspace()), std::vector<StepSet>(grid.index_count(), 0)};
