@@ -35,8 +35,13 @@ TEST_CASE("searches keep the searcher contract on a distance field") {
   const auto searches = all_searches<FieldSpace>();
   CHECK(searches.size() == 21);
   for (const AnySearch<FieldSpace>& search : searches) {
+    // These two take longest. Ants have fewer iterations below, and SafeRrtStar has one query in
+    // distance_field_space_test.cpp.
+    if (search.name == "ant_colony" || search.name == "safe_rrt_star") continue;
     test::report(test::broken_clauses(search, promise_of(search.name)), search.name, "FieldSpace");
   }
+  const auto ants = erase_search<FieldSpace>(AntColony{.iterations = 5});
+  test::report(test::broken_clauses(ants, promise_of(ants.name)), ants.name, "FieldSpace");
 }
 
 TEST_CASE("smoothers keep the smoother contract on a distance field") {

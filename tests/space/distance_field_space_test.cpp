@@ -16,6 +16,7 @@
 #include "tutavia/planner.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/rrt_star.hpp"
+#include "tutavia/search/safe_rrt_star.hpp"
 #include "tutavia/search/theta_star.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/shortcut.hpp"
@@ -202,14 +203,25 @@ TEST_CASE("a plan on distances alone is a plan among the obstacles") {
         CHECK(judge.status == ProofStatus::proved);
         CHECK(plan->certificate.lower <= judge.upper);
         CHECK(plan->certificate.upper >= judge.lower);
-        CHECK(plan->certificate.upper - plan->certificate.lower <
-              8 * field.distance_error_bound());
+        CHECK(plan->certificate.upper - plan->certificate.lower < 8 * field.distance_error_bound());
       }
     };
     check(Planner{AStar{}, BezierSmoother{}});
     check(Planner{ThetaStar{}, Shortcut{}});
     check(Planner{RrtStar{}, Shortcut{}});
   }
+}
+
+TEST_CASE("zones of risk are avoided on distances alone") {
+  const Scene scene = maps::complex();
+  const FieldSpace field = test::field_space(scene.workspace, {.resolution = scene.resolution});
+  const auto exact = InflatedSpace::build(scene.workspace).value();
+  Planner planner{SafeRrtStar{.iterations = 1500}, Shortcut{}};
+  const auto plan = planner.plan(field, {.start = scene.start, .goal = scene.goals[0]});
+  REQUIRE(plan);
+  CHECK(plan->route.risk_width > 0);
+  CHECK(certify(exact, plan->curve).status == ProofStatus::proved);
+  CHECK(plan->certificate.lower > scene.workspace.safety_radius);
 }
 
 TEST_CASE("a function that is too low is still proved, and NaN is blocked") {

@@ -39,8 +39,8 @@ struct DistanceFieldOptions {
   /// bounds.
   std::optional<double> resolution{};
   /// How far a computed distance of a segment or an arc may be from the least value along it [m].
-  /// Default: the smaller of delta / 100000 and r / 1000 (for r > 0). Halving it makes proofs beside
-  /// straight walls take 1.4 times as long.
+  /// Default: the smaller of delta / 100000 and r / 1000 (for r > 0). Halving it makes proofs
+  /// beside straight walls take 1.4 times as long.
   std::optional<double> tolerance{};
   MovementRule movement = MovementRule::no_cut;    ///< every rule is safe on a lattice
   std::int64_t max_nodes = std::int64_t{1} << 28;  ///< more than these: limit_exceeded
