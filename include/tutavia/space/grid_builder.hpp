@@ -48,12 +48,11 @@ struct GridOptions {
 
 /// Builds the space with a grid that suits a description of the obstacles:
 ///
-/// | source | space | proofs hold for |
-/// |---|---|---|
-/// | Workspace | LatticeSpace | its obstacles |
-/// | an area (Areal): Polygon, a polygon of Boost.Geometry, ... | LatticeSpace | the area |
-/// | a ClearanceFunction, `double(Point)` | DistanceFieldSpace | obstacles no closer than its
-/// values | | a PointPredicate, `bool(Point)` | CellSpace | the cells |
+/// - a Workspace: a LatticeSpace; proofs hold for its obstacles;
+/// - an area (Areal: Polygon, a polygon of Boost.Geometry, ...): a LatticeSpace; for the area;
+/// - a ClearanceFunction, `double(Point)`: a DistanceFieldSpace; for obstacles that are nowhere
+///   nearer than its values;
+/// - a PointPredicate, `bool(Point)`: a CellSpace; for the cells.
 ///
 /// **Lattices** (the first three). A node (i delta, j delta) is free iff its clearance is at least
 /// sqrt(r^2 + delta^2 / 2), with a small margin for rounding. If an obstacle point is at least T
