@@ -9,11 +9,14 @@ using namespace tutavia;
 /// Models Observer, RectangleObserver and AnytimeObserver. A search calls the members that it
 /// supports.
 struct Counter {
-  int nodes = 0, rectangles = 0, improvements = 0;
+  int nodes = 0, rectangles = 0, from_goal = 0, improvements = 0;
 
   void expanded(const Point&) { ++nodes; }
   void generated(const Point&) {}
-  void on_rectangle(const Segment&, const Box&) { ++rectangles; }
+  void on_rectangle(const Segment&, const Box&, SearchSide side) {  // the side may be left out
+    ++rectangles;
+    if (side == SearchSide::goal) ++from_goal;
+  }
   void improved(const Curve&, double) { ++improvements; }
 };
 
@@ -26,10 +29,10 @@ int main() {
     typename std::decay_t<decltype(search)>::Scratch scratch;
     const auto route = search.search(space, query, scratch, counter);
     std::cout << search.name << ": " << counter.nodes << " nodes, " << counter.rectangles
-              << " rectangles, " << counter.improvements << " better paths on the way"
-              << (route ? "\n" : ", no path\n");
+              << " rectangles (" << counter.from_goal << " from the goal), " << counter.improvements
+              << " better paths on the way" << (route ? "\n" : ", no path\n");
   };
   show(AStar{});
-  show(ReaStar{});
+  show(SbReaStar{});
   show(RrtStar{.iterations = 1000});
 }

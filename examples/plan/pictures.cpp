@@ -53,7 +53,7 @@ std::vector<Obstacle> blocked_rectangles(const CellSpace& space) {
 }
 
 void add_event(const SearchRecord::Event& event, SvgOptions& options) {
-  const auto& [kind, a, b] = event;
+  const auto& [kind, a, b, side] = event;
   if (kind == SearchRecord::Event::Kind::edge) options.tree.push_back({a, b});
   if (kind == SearchRecord::Event::Kind::rectangle) options.rectangles.push_back({a, b});
   if (kind == SearchRecord::Event::Kind::interval) options.intervals.push_back({a, b});

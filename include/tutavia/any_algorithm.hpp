@@ -90,8 +90,11 @@ struct OptionalRecord {
   void generated(const Point& p) const {
     if (record != nullptr) record->generated(p);
   }
-  void on_rectangle(const Segment& interval, const Box& rectangle) const {
-    if (record != nullptr) record->on_rectangle(interval, rectangle);
+  void on_rectangle(const Segment& interval, const Box& rectangle, SearchSide side) const {
+    if (record != nullptr) record->on_rectangle(interval, rectangle, side);
+  }
+  void improved(const Curve& path, double cost) const {
+    if (record != nullptr) record->improved(path, cost);
   }
 };
 

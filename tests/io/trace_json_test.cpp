@@ -38,7 +38,7 @@ TEST_CASE("every event is a line with its kind and its points, in order, behind 
   SearchRecord record;
   record.generated({1, 2});
   record.expanded({3, 4});
-  record.on_rectangle({{0, 0}, {2, 0}}, {{0, 0}, {2, 5}});
+  record.on_rectangle({{0, 0}, {2, 0}}, {{0, 0}, {2, 5}}, SearchSide::goal);
   record.edge({1, 1}, {2, 3});
   std::string text = "{\"event\":\"before\"}\n";
   append_trace(text, header, "success", record);
@@ -47,8 +47,14 @@ TEST_CASE("every event is a line with its kind and its points, in order, behind 
   CHECK(lines[0]["event"] == "before");
   CHECK(lines[2] == Json{{"event", "generated"}, {"at", {1.0, 2.0}}});
   CHECK(lines[3] == Json{{"event", "expanded"}, {"at", {3.0, 4.0}}});
-  CHECK(lines[4] == Json{{"event", "interval"}, {"from", {0.0, 0.0}}, {"to", {2.0, 0.0}}});
-  CHECK(lines[5] == Json{{"event", "rectangle"}, {"min", {0.0, 0.0}}, {"max", {2.0, 5.0}}});
+  CHECK(lines[4] ==
+        Json{{"event", "interval"}, {"from", {0.0, 0.0}}, {"to", {2.0, 0.0}}, {"side", "goal"}});
+  CHECK(lines[5] ==
+        Json{{"event", "rectangle"}, {"min", {0.0, 0.0}}, {"max", {2.0, 5.0}}, {"side", "goal"}});
+  record.on_rectangle({{0, 0}, {2, 0}}, {{0, 0}, {2, 5}});
+  std::string again;
+  append_trace(again, header, "success", record);
+  CHECK(lines_of(again).back()["side"] == "start");
   CHECK(lines[6] == Json{{"event", "edge"}, {"from", {1.0, 1.0}}, {"to", {2.0, 3.0}}});
 }
 

@@ -20,9 +20,11 @@ namespace tutavia {
 ///      "safety_radius":r}
 ///     {"event":"expanded","at":[x,y]}
 ///     {"event":"generated","at":[x,y]}
-///     {"event":"interval","from":[x,y],"to":[x,y]}
-///     {"event":"rectangle","min":[x,y],"max":[x,y]}
+///     {"event":"interval","from":[x,y],"to":[x,y],"side":"start"}
+///     {"event":"rectangle","min":[x,y],"max":[x,y],"side":"start"}
 ///     {"event":"edge","from":[x,y],"to":[x,y]}
+///
+/// A `side` is "start" or "goal": the end of the query from which the rectangle was reached.
 inline void append_trace(std::string& text, const ResultHeader& header, std::string_view status,
                          const SearchRecord& record) {
   using Kind = SearchRecord::Event::Kind;
@@ -33,7 +35,8 @@ inline void append_trace(std::string& text, const ResultHeader& header, std::str
        {"start", detail::to_json(header.start)},
        {"goal", detail::to_json(header.goal)},
        {"safety_radius", header.safety_radius}});
-  for (const auto& [kind, from, to] : record.events) {
+  for (const auto& [kind, from, to, side] : record.events) {
+    const char* grown_from = side == SearchSide::start ? "start" : "goal";
     const auto a = detail::to_json(from), b = detail::to_json(to);
     switch (kind) {
       case Kind::expanded:
@@ -43,10 +46,10 @@ inline void append_trace(std::string& text, const ResultHeader& header, std::str
         add({{"event", "generated"}, {"at", a}});
         break;
       case Kind::interval:
-        add({{"event", "interval"}, {"from", a}, {"to", b}});
+        add({{"event", "interval"}, {"from", a}, {"to", b}, {"side", grown_from}});
         break;
       case Kind::rectangle:
-        add({{"event", "rectangle"}, {"min", a}, {"max", b}});
+        add({{"event", "rectangle"}, {"min", a}, {"max", b}, {"side", grown_from}});
         break;
       case Kind::edge:
         add({{"event", "edge"}, {"from", a}, {"to", b}});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <string_view>
 
 #include "tutavia/geometry/box.hpp"
@@ -26,14 +27,29 @@ concept Observer = requires(O& o, const Point& p) {
   o.generated(p);
 };
 
+/// The end of a query from which a part of a search grows.
+enum class SearchSide : std::uint8_t { start, goal };
+
+namespace detail {
+
+template <class O>
+concept TakesRectangle = requires(O& o, const Segment& from, const Box& grown) {
+  o.on_rectangle(from, grown);
+};
+template <class O>
+concept TakesSide = requires(O& o, const Segment& from, const Box& grown, SearchSide side) {
+  o.on_rectangle(from, grown, side);
+};
+
+}  // namespace detail
+
 /// An observer that also receives every free rectangle that a search grows, and the interval of
-/// cells from which it grew. The rectangle spans the reference points of its corner cells.
+/// cells from which it grew. The rectangle spans the reference points of its corner cells. An
+/// observer whose `on_rectangle` takes a SearchSide as third argument is told the side as well.
 ///
 /// Example: examples/observers.cpp.
 template <class O>
-concept RectangleObserver = Observer<O> && requires(O& o, const Segment& from, const Box& grown) {
-  o.on_rectangle(from, grown);
-};
+concept RectangleObserver = Observer<O> &&(detail::TakesRectangle<O> || detail::TakesSide<O>);
 
 /// An observer that also receives every improved path that a search finds, and its cost.
 ///

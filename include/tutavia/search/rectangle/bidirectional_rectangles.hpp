@@ -165,7 +165,8 @@ class BidirectionalRectangles {
     context_.count_expanded(cells.middle());
     const bool root = is_root(expansion, from);
     const CellRectangle r = root ? free_.grow_around(cells.cell(cells.first)) : free_.grow(cells);
-    notify_rectangle(context_.observer, space_, cells, r);
+    notify_rectangle(context_.observer, space_, cells, r,
+                     turn == 0 ? SearchSide::start : SearchSide::goal);
     expansion.exits[from].rectangle = r;
     expansion.expanded.push_back(from);
     expansion.covered.add(r);

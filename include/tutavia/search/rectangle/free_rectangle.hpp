@@ -64,16 +64,20 @@ struct CellRectangle {
   }
 };
 
-/// Reports a rectangle to an observer that is a RectangleObserver.
+/// Reports a rectangle of one side of a search to an observer that is a RectangleObserver.
 template <LinkedSpace S, Observer O>
-void notify_rectangle(O& observer, const S& space, const CellInterval& from,
-                      const CellRectangle& r) {
+void notify_rectangle(O& observer, const S& space, const CellInterval& from, const CellRectangle& r,
+                      SearchSide side) {
   if constexpr (RectangleObserver<O>) {
     const Frame& frame = space.frame();
-    observer.on_rectangle(
-        Segment{frame.point(from.cell(from.first)), frame.point(from.cell(from.last))},
-        Box{frame.point({r.runs[0].first, r.runs[1].first}),
-            frame.point({r.runs[0].last, r.runs[1].last})});
+    const Segment interval{frame.point(from.cell(from.first)), frame.point(from.cell(from.last))};
+    const Box rectangle{frame.point({r.runs[0].first, r.runs[1].first}),
+                        frame.point({r.runs[0].last, r.runs[1].last})};
+    if constexpr (TakesSide<O>) {
+      observer.on_rectangle(interval, rectangle, side);
+    } else {
+      observer.on_rectangle(interval, rectangle);
+    }
   }
 }
 

@@ -167,7 +167,7 @@ class RectangleSearch {
   void expand(const ReaScratch::Entry& entry) {
     const CellInterval& from = entry.interval;
     const CellRectangle r = rectangles_.grow(from);
-    notify_rectangle(context_.observer, space_, from, r);
+    notify_rectangle(context_.observer, space_, from, r, SearchSide::start);
     const auto expansion = static_cast<std::uint32_t>(scratch_.expansions.size());
     scratch_.expansions.push_back({from, r});
     bool is_unchanged = true;  // whether no cost fell since the interval was found
