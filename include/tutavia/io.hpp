@@ -7,4 +7,5 @@
 #include "tutavia/io/moving_ai.hpp"
 #include "tutavia/io/ros_map.hpp"
 #include "tutavia/io/svg.hpp"
+#include "tutavia/io/svg_options.hpp"
 #include "tutavia/io/wkt.hpp"

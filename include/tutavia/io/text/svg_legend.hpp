@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tutavia/geometry/point.hpp"
+#include "tutavia/io/text/svg_text.hpp"
 #include "tutavia/io/text/svg_writer.hpp"
 
 /// \file
@@ -30,38 +33,65 @@ inline void line_symbol(SvgWriter& svg, const Point& p, std::string_view style) 
 }
 /// A small filled rectangle.
 inline void area_symbol(SvgWriter& svg, const Point& p, std::string_view style) {
-  svg.raw("<rect x=\"" + SvgWriter::number(p.x() - 12) + "\" y=\"" + SvgWriter::number(p.y() - 7) +
-          "\" width=\"24\" height=\"14\" ");
-  svg.raw(style);
-  svg.raw("/>\n");
+  svg.rect({p.x() - 12, p.y() - 7}, {24, 14}, style);
 }
 /// @}
 
-/// Rows of symbols with labels to the right of them.
+/// Rows of symbols with labels to the right of them. An entry begins a new row where the row before
+/// has no room for it; a label that is wider than a row has several lines.
 class SvgLegend {
  public:
-  /// `first`: the left end of the first row, at half its height.
-  SvgLegend(SvgWriter& svg, const Point& first) : svg_(svg), left_(first.x()), next_(first) {}
+  /// `first`: the left end of the first row, at half its height. `width`: of the rows.
+  SvgLegend(SvgWriter& svg, const Point& first, double width)
+      : svg_(svg), first_(first), width_(width), next_(first) {}
 
-  /// Calls `symbol(pixel)` for an entry that takes `width` pixels of its row.
+  /// Calls `symbol(pixel)` for an entry.
   template <class Symbol>
-  void entry(std::string_view label, double width, const Symbol& symbol) {
+  void entry(std::string_view label, const Symbol& symbol) {
+    const double room = text_width(label) + indent + 18;
+    if (next_.x() > first_.x() && next_.x() + room > first_.x() + width_) next_row();
     symbol(Point{next_.x() + 14, next_.y()});
-    svg_.text({next_.x() + 34, next_.y() + 5}, label, "");
-    next_.x() += width;
+    text(label, indent);
+    next_.x() += room;
   }
-  void line(std::string_view label, double width, std::string_view style) {
-    entry(label, width, [&](const Point& p) { line_symbol(svg_, p, style); });
+  void line(std::string_view label, std::string_view style) {
+    entry(label, [&](const Point& p) { line_symbol(svg_, p, style); });
   }
-  void area(std::string_view label, double width, std::string_view style) {
-    entry(label, width, [&](const Point& p) { area_symbol(svg_, p, style); });
+  void area(std::string_view label, std::string_view style) {
+    entry(label, [&](const Point& p) { area_symbol(svg_, p, style); });
+  }
+  /// A row of text alone.
+  void note(std::string_view words) {
+    end_row();
+    text(words, 2);
+    next_row();
   }
 
-  void next_row() { next_ = {left_, next_.y() + 24}; }
+  /// Ends the row, if it has entries.
+  void end_row() {
+    if (next_.x() > first_.x()) next_row();
+  }
+  /// The lower end, in pixels.
+  double bottom() {
+    end_row();
+    return next_.y();
+  }
 
  private:
+  static constexpr double indent = 34, row_height = 24, line_height = 17;
+
+  void text(std::string_view label, double left) {
+    const std::vector<std::string> lines = wrapped(label, width_ - left);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (i > 0) next_.y() += line_height;
+      svg_.text({next_.x() + left, next_.y() + 5}, lines[i], "");
+    }
+  }
+  void next_row() { next_ = {first_.x(), next_.y() + row_height}; }
+
   SvgWriter& svg_;
-  double left_;
+  Point first_;
+  double width_;
   Point next_;
 };
 

@@ -17,13 +17,6 @@ namespace tutavia::detail {
 /// a list of SVG attributes, such as fill="none".
 class SvgWriter {
  public:
-  /// Starts an empty, white picture.
-  SvgWriter(double width, double height)
-      : svg_("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" +
-             number(height) + "\" viewBox=\"0 0 " + number(width) + " " + number(height) +
-             "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"14\">\n"
-             "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n") {}
-
   static std::string number(double x) {
     std::array<char, 64> buffer;
     std::snprintf(buffer.data(), buffer.size(), "%.2f", x);
@@ -35,6 +28,13 @@ class SvgWriter {
   void circle(const Point& center, double radius, std::string_view style) {
     svg_.append("<circle cx=\"").append(number(center.x())).append("\" cy=\"");
     svg_.append(number(center.y())).append("\" r=\"").append(number(radius)).append("\" ");
+    svg_.append(style).append("/>\n");
+  }
+
+  void rect(const Point& corner, const Point& size, std::string_view style) {
+    svg_.append("<rect x=\"").append(number(corner.x())).append("\" y=\"");
+    svg_.append(number(corner.y())).append("\" width=\"").append(number(size.x()));
+    svg_.append("\" height=\"").append(number(size.y())).append("\" ");
     svg_.append(style).append("/>\n");
   }
 
@@ -53,10 +53,12 @@ class SvgWriter {
     for (const char c : content) {
       if (c == '<') {
         svg_ += "&lt;";
+      } else if (c == '>') {
+        svg_ += "&gt;";
       } else if (c == '&') {
         svg_ += "&amp;";
       } else {
-        svg_ += c;
+        svg_ += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;  // XML has no control characters
       }
     }
     svg_ += "</text>\n";
@@ -65,10 +67,17 @@ class SvgWriter {
   /// Adds raw markup.
   void raw(std::string_view markup) { svg_.append(markup); }
 
-  std::string finish() const { return svg_ + "</svg>\n"; }
+  /// The document, on a white picture of this size.
+  std::string finish(double width, double height) const {
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" +
+           number(height) + "\" viewBox=\"0 0 " + number(width) + " " + number(height) +
+           "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"14\">\n"
+           "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" +
+           svg_ + "</svg>\n";
+  }
 
  private:
-  std::string svg_;
+  std::string svg_{};
 };
 
 }  // namespace tutavia::detail

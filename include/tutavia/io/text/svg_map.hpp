@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "tutavia/geometry/curve.hpp"
+#include "tutavia/io/text/svg_paths.hpp"
+#include "tutavia/io/text/svg_style.hpp"
+#include "tutavia/io/text/svg_visited.hpp"
+#include "tutavia/io/text/svg_writer.hpp"
+#include "tutavia/world/workspace.hpp"
+
+/// \file
+/// SvgMap: the map of a picture and what is drawn on it.
+
+namespace tutavia::detail {
+
+/// Draws on a map, from metres to pixels; what comes later lies above.
+class SvgMap {
+ public:
+  SvgMap(SvgWriter& svg, const Workspace& workspace, const SvgPaths& paths)
+      : svg_(svg), workspace_(workspace), paths_(paths) {}
+
+  /// The bounds.
+  void frame(std::string_view style) {
+    svg_.rect(paths_.offset,
+              {workspace_.bounds.width() * paths_.scale, workspace_.bounds.height() * paths_.scale},
+              style);
+  }
+
+  void visited(const std::vector<Point>& nodes, double cell_size) {
+    const VisitedNodes visited(nodes, {workspace_.bounds.min, cell_size});
+    const std::string squares = visited.squares(paths_), dots = visited.dots(paths_);
+    const std::string colour(SvgStyle::visited);
+    if (!squares.empty()) {
+      // Small squares are drawn larger, so that single ones are seen.
+      const double stroke = std::max(0.0, 4 - cell_size * paths_.scale);
+      svg_.path(squares, "fill=\"" + colour + "\" stroke=\"" + colour + "\" stroke-width=\"" +
+                             SvgWriter::number(stroke) + "\" shape-rendering=\"crispEdges\"");
+    }
+    if (dots.empty()) return;
+    const double width = std::clamp(0.7 * cell_size * paths_.scale, 3.0, 8.0);
+    svg_.stroke(dots, "stroke=\"" + colour + "\" stroke-linecap=\"round\" stroke-width=\"" +
+                          SvgWriter::number(width) + "\"");
+  }
+
+  /// All points nearer than `reach` to an obstacle: the shapes, stroked with twice the reach and
+  /// round joins.
+  void around_obstacles(double reach, const std::string& colour, const std::string& attributes) {
+    svg_.raw("<g fill=\"" + colour + "\" stroke=\"" + colour +
+             "\" stroke-linejoin=\"round\" stroke-width=\"" +
+             SvgWriter::number(2 * reach * paths_.scale) + "\"" + attributes + ">\n");
+    shapes(reach);
+    svg_.raw("</g>\n");
+  }
+  void obstacles() {
+    svg_.raw("<g fill=\"#4a5763\" stroke=\"#4a5763\" stroke-width=\"1\">\n");
+    shapes(0);
+    svg_.raw("</g>\n");
+  }
+
+  /// Boxes as paths, so that empty ones show their border.
+  void boxes(const std::vector<Box>& boxes, std::string_view style) {
+    for (const Box& box : boxes) {
+      const Point a = paths_.pixel(box.min), b = paths_.pixel(box.max);
+      std::string path("M");
+      path.append(SvgWriter::pair(a)).append("H").append(SvgWriter::number(b.x()));
+      path.append("V").append(SvgWriter::number(b.y()));
+      path.append("H").append(SvgWriter::number(a.x())).append("Z");
+      svg_.path(path, style);
+    }
+  }
+  /// Segments as one path.
+  void lines(const std::vector<Segment>& segments, std::string_view style) {
+    if (segments.empty()) return;
+    std::string d;
+    for (const Segment& s : segments) {
+      d.append("M").append(paths_.at(s.a)).append("L").append(paths_.at(s.b));
+    }
+    svg_.stroke(d, style);
+  }
+
+  void dots(const std::vector<Point>& points, double radius, std::string_view style) {
+    for (const Point& p : points) svg_.circle(paths_.pixel(p), radius, style);
+  }
+  /// A curve with dots where its pieces end.
+  void polyline(const Curve& curve, std::string_view style, double dot,
+                std::string_view dot_style) {
+    svg_.stroke(paths_.of_curve(curve), style);
+    dots(waypoints(curve), dot, dot_style);
+  }
+  void curve(const Curve& curve, const std::string& colour) {
+    const std::string d = paths_.of_curve(curve);
+    svg_.stroke(d, "stroke=\"#ffffff\" stroke-width=\"6\" stroke-opacity=\"0.7\"");
+    svg_.stroke(d, SvgStyle::curve(colour));
+  }
+
+ private:
+  void shapes(double reach) {
+    for (const Obstacle& obstacle : workspace_.obstacles) {
+      if (const Disc* disc = std::get_if<Disc>(&obstacle)) {
+        svg_.circle(paths_.pixel(disc->center), (disc->radius + reach) * paths_.scale,
+                    "stroke=\"none\"");
+        continue;
+      }
+      const Polygon& polygon = std::get<Polygon>(obstacle);
+      svg_.raw("<path fill-rule=\"evenodd\" d=\"" + paths_.of_ring(polygon.outer));
+      for (const Ring& hole : polygon.holes) svg_.raw(paths_.of_ring(hole));
+      svg_.raw("\"/>\n");
+    }
+  }
+
+  SvgWriter& svg_;
+  const Workspace& workspace_;
+  SvgPaths paths_;
+};
+
+}  // namespace tutavia::detail

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tutavia/io/svg_options.hpp"
+#include "tutavia/io/text/svg_key.hpp"
+#include "tutavia/io/text/svg_legend.hpp"
+#include "tutavia/io/text/svg_map.hpp"
+#include "tutavia/io/text/svg_paths.hpp"
+#include "tutavia/io/text/svg_profile.hpp"
+#include "tutavia/io/text/svg_style.hpp"
+#include "tutavia/io/text/svg_text.hpp"
+#include "tutavia/io/text/svg_visited.hpp"
+#include "tutavia/io/text/svg_writer.hpp"
+#include "tutavia/planner.hpp"
+#include "tutavia/world/workspace.hpp"
+
+/// \file
+/// SvgPicture: one picture of a workspace and plans.
+
+namespace tutavia::detail {
+
+/// Draws one picture: the title, the map, the profile and the legend, from the top down.
+class SvgPicture {
+ public:
+  SvgPicture(const Workspace& workspace, std::span<const Plan> plans, const SvgOptions& options)
+      : workspace_(workspace),
+        options_(options),
+        plans_(plans),
+        scale_(options.width /
+               std::max({workspace.bounds.width(), workspace.bounds.height(), 1e-300})),
+        width_(std::max(workspace.bounds.width() * scale_, 560.0)) {}
+
+  std::string draw() {
+    double y = title(margin);
+    const SvgPaths paths{workspace_.bounds, scale_, {margin, y}, options_.y_down};
+    map(paths);
+    y += workspace_.bounds.height() * scale_;
+    if (options_.profile && !plans_.empty()) {
+      SvgProfile(svg_, {margin, y}, width_, workspace_, plans_).draw();
+      y += SvgProfile::height;
+    }
+    y = SvgKey(svg_, {margin, y + 24}, width_, workspace_, plans_, options_).draw();
+    return svg_.finish(width_ + 2 * margin, y);
+  }
+
+ private:
+  static constexpr double margin = 16;
+  static constexpr std::string_view route_dot = "fill=\"#7a8794\"";
+
+  /// Returns the lower end.
+  double title(double y) {
+    for (const std::string& line : wrapped(options_.title, width_ / 1.4)) {
+      svg_.text({margin, y + 12}, line, "font-size=\"18\" font-weight=\"bold\"");
+      y += 24;
+    }
+    return options_.title.empty() ? y : y + 6;
+  }
+
+  void map(const SvgPaths& paths) {
+    SvgMap map(svg_, workspace_, paths);
+    svg_.raw("<clipPath id=\"bounds\">");
+    map.frame("");
+    svg_.raw("</clipPath>\n");
+    map.frame("fill=\"#f7f9fb\"");
+    svg_.raw("<g clip-path=\"url(#bounds)\">\n");
+    areas(map);
+    map.boxes(whole_cells(options_.rectangles), SvgStyle::forward_rectangle);
+    map.boxes(whole_cells(options_.goal_rectangles), SvgStyle::backward_rectangle);
+    map.lines(options_.intervals, SvgStyle::forward_passage);
+    map.lines(options_.goal_intervals, SvgStyle::backward_passage);
+    map.lines(options_.tree, SvgStyle::tree("0.7"));
+    for (const Curve& path : options_.tree_paths) {
+      map.polyline(path, SvgStyle::tree_path, 2.2, "fill=\"#000000\"");
+    }
+    for (const Plan& plan : plans_) map.polyline(plan.route.curve, SvgStyle::route, 1.6, route_dot);
+    for (std::size_t i = 0; i < plans_.size(); ++i) map.curve(plans_[i].curve, SvgStyle::colour(i));
+    if (shows_rectangles(options_)) {
+      for (const Plan& plan : plans_) map.dots(waypoints(plan.route.curve), 4, SvgStyle::path_node);
+    }
+    for (const Point& corner : options_.critical_corners) cross_symbol(svg_, paths.pixel(corner));
+    svg_.raw("</g>\n");
+    map.frame("fill=\"none\" stroke=\"#33414e\" stroke-width=\"1.5\"");
+    ends(paths);
+  }
+
+  /// Rectangles from cell to cell cover these cells.
+  std::vector<Box> whole_cells(std::vector<Box> boxes) const {
+    const CellCentres centres{workspace_.bounds.min, options_.cell_size};
+    for (Box& box : boxes) {
+      if (!centres.cell_at(box.min) || !centres.cell_at(box.max)) continue;
+      box = box.inflated(options_.cell_size / 2);
+    }
+    return boxes;
+  }
+
+  /// Draws everything below the lines.
+  void areas(SvgMap& map) {
+    map.visited(options_.visited, options_.cell_size);
+    for (const double width : risk_widths(plans_, options_)) {
+      map.around_obstacles(workspace_.safety_radius + width, "#b4bbc2", " opacity=\"0.6\"");
+    }
+    map.boxes(options_.buffer, SvgStyle::buffer);
+    if (options_.zones && workspace_.safety_radius > 0)
+      map.around_obstacles(workspace_.safety_radius, "#f6d9b8", "");
+    map.obstacles();
+  }
+
+  void ends(const SvgPaths& paths) {
+    for (const Point& p : options_.starts) start_symbol(svg_, paths.pixel(p));
+    for (const Point& p : options_.goals) goal_symbol(svg_, paths.pixel(p), "#7a8794");
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
+      const Curve& curve = plans_[i].curve;
+      if (curve.empty()) continue;
+      start_symbol(svg_, paths.pixel(curve.start()));
+      goal_symbol(svg_, paths.pixel(curve.end()), SvgStyle::colour(i));
+    }
+  }
+
+  const Workspace& workspace_;
+  const SvgOptions& options_;
+  std::span<const Plan> plans_;
+  double scale_;  // pixels per metre
+  double width_;  // of the title, the profile and the legend, in pixels
+  SvgWriter svg_{};
+};
+
+}  // namespace tutavia::detail
