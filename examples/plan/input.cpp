@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -188,12 +189,17 @@ Task load_grid(const Arguments& args) {
   Scene scene;
   scene.name = std::filesystem::path(args.grid).filename().string();
   override_start_and_goals(args, scene);
-  if (args.buffer) add_buffer(scene, *args.buffer, map);
+  std::optional<OccupancyGrid> without_buffer;
+  if (args.buffer) {
+    without_buffer = map.cells;
+    add_buffer(scene, *args.buffer, map);
+  }
   CellSpace space = value_or_throw(CellSpace::build(std::move(map.cells), map.options));
   scene.workspace = {.bounds = space.bounds(), .safety_radius = space.safety_radius()};
   return {.scene = std::move(scene),
           .space = std::move(space),
-          .y_down = extension(args.grid) == ".map"};
+          .y_down = extension(args.grid) == ".map",
+          .without_buffer = std::move(without_buffer)};
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "options.hpp"
 #include "planning_space.hpp"
+#include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/world/scene.hpp"
 
 /// \file
@@ -15,6 +18,8 @@ struct Task {
   Scene scene;  ///< of a grid map without its obstacles
   PlanningSpace space;
   bool y_down = false;  ///< in pictures
+  /// The cells of the map before --buffer blocked some.
+  std::optional<OccupancyGrid> without_buffer{};
 };
 
 /// Loads what the command line names. Warnings of files go to stderr. Throws UsageError.

@@ -73,10 +73,25 @@ void define_planning_options(CLI::App& app, Arguments& args) {
 void define_output_options(CLI::App& app, Arguments& args) {
   app.add_option("--json", args.json, "Write the results as JSON; - for stdout");
   app.add_option("--svg", args.svg, "Draw the plans");
+  app.add_option_function<std::string>(
+      "--show", [&args](const std::string& text) { args.show = parse_shown_parts(text); },
+      "What --svg draws besides map, routes and curves: a comma list of visited, tree, zones, "
+      "passages, profile. Default: tree,zones,passages");
   app.add_option("--trace", args.trace, "Write the events of the searches, one line of JSON each");
   app.add_flag("--compare", args.compare,
                "All searches with the smoother, and all smoothers with the search");
   app.add_flag("--list", args.list, "Print the names of searches and smoothers");
+}
+
+/// Throws a UsageError for a --show that no picture can obey.
+void check_shown_parts(const Arguments& args) {
+  if (!args.show) return;
+  if (args.svg.empty()) throw UsageError{"--show is for a picture; give --svg FILE"};
+  const bool shows_search = args.show->visited || args.show->tree || args.show->passages;
+  if (args.compare && shows_search) {
+    throw UsageError{
+        "--compare draws curves of many searches; --show takes zones and profile there"};
+  }
 }
 
 /// What is wrong with an argument that is no option.
@@ -135,6 +150,7 @@ std::optional<Arguments> parse_command_line(int argc, const char* const* argv) {
     app.exit(error);  // --help
     return std::nullopt;
   }
+  check_shown_parts(args);
   if (argc == 1) args.svg = "maze.svg";
   return args;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "shown_parts.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/space/lattice_space.hpp"
@@ -39,6 +40,7 @@ struct Arguments {
   std::optional<double> time_limit{};
   std::string json{};
   std::string svg{};
+  std::optional<ShownParts> show{};  ///< in the picture; default: default_parts()
   std::string trace{};
   bool compare = false;
   bool list = false;

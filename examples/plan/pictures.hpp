@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "input.hpp"
+#include "options.hpp"
 #include "result.hpp"
 
 /// \file
@@ -12,7 +12,7 @@
 
 namespace plan_program {
 
-/// Draws all plans into one picture, and moves them out of `groups`. Throws UsageError.
-void draw(const std::string& path, const Task& task, std::vector<Group> groups);
+/// Draws all plans into the picture --svg, and moves them out of `groups`. Throws UsageError.
+void draw(const Arguments& args, const Task& task, std::vector<Group> groups);
 
 }  // namespace plan_program

@@ -17,13 +17,25 @@ void add_figures(const PlanningSpace& space, const Query& query, Result& result)
   result.optimum = optimum_of(space, query, metrics.length);
 }
 
-/// The events that pictures show: everything but single nodes.
-std::vector<SearchRecord::Event> drawings_of(SearchRecord&& record) {
-  std::erase_if(record.events, [](const SearchRecord::Event& event) {
-    return event.kind == SearchRecord::Event::Kind::expanded ||
-           event.kind == SearchRecord::Event::Kind::generated;
+/// What the picture shows of a search.
+SearchRecord drawings_of(SearchRecord record, const ShownParts& shown) {
+  using Kind = SearchRecord::Event::Kind;
+  std::erase_if(record.events, [&](const SearchRecord::Event& event) {
+    switch (event.kind) {
+      case Kind::expanded:
+        return !shown.visited;
+      case Kind::edge:
+        return !shown.tree;
+      case Kind::interval:
+      case Kind::rectangle:
+        return !shown.passages;
+      case Kind::generated:
+        break;
+    }
+    return true;
   });
-  return std::move(record.events);
+  if (!shown.tree) record.tree_path = {};
+  return record;
 }
 
 }  // namespace
@@ -31,12 +43,13 @@ std::vector<SearchRecord::Event> drawings_of(SearchRecord&& record) {
 Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
                  const PipelineText& search, const PipelineText& smoother) {
   const bool is_drawn = !args.svg.empty() && !args.compare;
+  const ShownParts shown = args.show.value_or(default_parts());
   const bool is_traced = trace.takes(search.text);
   const bool has_all_figures = args.compare || !args.json.empty();
   const ChosenPlanner planner = make_planner(task.space, search, smoother);
   Group group;
   for (const Point& goal : task.scene.goals) {
-    SearchRecord record{.keeps_nodes = is_traced};
+    SearchRecord record{.keeps_nodes = is_traced || (is_drawn && shown.visited)};
     Query query{.start = task.scene.start, .goal = goal, .seed = args.seed};
     if (args.time_limit) query.budget = Budget::for_seconds(*args.time_limit);
     group.push_back({search.text, smoother.text, planner.algorithms, goal,
@@ -44,7 +57,7 @@ Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
     Result& result = group.back();
     if (has_all_figures) add_figures(task.space, query, result);
     if (is_traced) trace.write(task.scene, result, record);
-    if (is_drawn) result.drawings = drawings_of(std::move(record));
+    if (is_drawn) result.drawings = drawings_of(std::move(record), shown);
   }
   return group;
 }

@@ -31,9 +31,9 @@ struct Result {
   UsedAlgorithms algorithms;
   Point goal;
   Expected<Plan, Failure> plan;
-  std::optional<double> optimum{};              ///< length of the shortest path [m], if it is known
-  std::optional<double> taut_length{};          ///< of the route when pulled taut [m], if requested
-  std::vector<SearchRecord::Event> drawings{};  ///< events of the search for the picture
+  std::optional<double> optimum{};      ///< length of the shortest path [m], if it is known
+  std::optional<double> taut_length{};  ///< of the route when pulled taut [m], if requested
+  SearchRecord drawings{};              ///< what the search recorded for the picture
 };
 
 /// The results of one search with one smoother for every goal.

@@ -98,7 +98,7 @@ int run(const Arguments& args) {
   if (!args.json.empty()) write_results(args.json, task.scene, groups);
   trace.close();
   if (!args.svg.empty()) {
-    draw(args.svg, task, std::move(groups));
+    draw(args, task, std::move(groups));
     if (args.prints_tables()) std::printf("\npicture: %s\n", args.svg.c_str());
   }
   return complete ? 0 : 1;

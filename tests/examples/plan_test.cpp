@@ -16,6 +16,7 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -738,6 +739,9 @@ TEST_CASE("--buffer keeps paths off the cells around blocked ones") {
   CHECK(clearance("--buffer 2") == 3);
   CHECK(folder.run(task + "--buffer 3").code == 1);
   CHECK(folder.run(task + "--buffer 1 --svg p.svg").code == 0);
+  CHECK(contains(read(folder / "p.svg"), ">safety buffer<"));
+  CHECK(folder.run(task + "--svg p.svg").code == 0);
+  CHECK_FALSE(contains(read(folder / "p.svg"), ">safety buffer<"));
 
   // The cell of a goal in the buffer stays free, which is said.
   const Outcome near = folder.run("--grid wall.map --start 0.5,3.5 --goal 4.5,3.5 --buffer 1");
@@ -751,6 +755,100 @@ TEST_CASE("--buffer keeps paths off the cells around blocked ones") {
   CHECK(contains(folder.run(task + "--buffer=-1").err, "--buffer: the width of a safety buffer"));
   CHECK(folder.run(task + "--buffer x").code == 2);
   CHECK(folder.run("--grid wall.map --start 1e300,3.5 --goal 4.5,3.5 --buffer 1").code == 1);
+}
+
+TEST_CASE("--show chooses what a picture shows of the searches") {
+  const Folder folder;
+  const auto picture = [&](const std::string& arguments) {
+    const Outcome outcome = folder.run(arguments + " --svg p.svg");
+    INFO(arguments << ": " << outcome.err);
+    CHECK(outcome.code == 0);
+    return read(folder / "p.svg");
+  };
+  const std::string maze = "--map maze --goal 14,6 ";
+  const std::string plain = picture(maze);
+  CHECK(contains(plain, ">safety zone, 0.3 m<"));
+  CHECK_FALSE(contains(plain, ">visited<"));
+  CHECK_FALSE(contains(plain, ">curvature [1/m]<"));
+  const std::string visited = picture(maze + "--show visited,profile");
+  CHECK(contains(visited, ">visited<"));
+  CHECK(contains(visited, ">curvature [1/m]<"));
+  CHECK_FALSE(contains(visited, ">safety zone, 0.3 m<"));
+
+  const std::string tree = "--map rrt_scene_1 --search safe_rrt_star:iterations=800 --seed 5 ";
+  const std::string grown = picture(tree + "--smoother b_spline");
+  CHECK(contains(grown, ">tree<"));
+  CHECK(contains(grown, ">path of the tree, before nodes are removed<"));
+  CHECK(contains(grown, ">risk zone, 2 m beyond<"));
+  // Two smoothers of one search: its tree is drawn once.
+  const auto edges = [](const std::string& svg) {
+    std::size_t paths = 0;
+    for (std::size_t i = 0; (i = svg.find("#6fa58f", i)) != std::string::npos; ++i) ++paths;
+    return std::pair(paths, std::count(svg.begin(), svg.end(), 'L') > 0);
+  };
+  CHECK(edges(picture(tree + "--smoother none,b_spline")) == edges(grown));
+  const std::string bare = picture(tree + "--show profile");
+  CHECK_FALSE(contains(bare, ">tree<"));
+  CHECK_FALSE(contains(bare, "path of the tree"));
+  CHECK_FALSE(contains(bare, "risk zone"));
+
+  const std::string both = picture("--map array --goal 14,8.4 --search sb_rea_star");
+  CHECK(contains(both, ">forward rectangle<"));
+  CHECK(contains(both, ">backward passage<"));
+  CHECK_FALSE(contains(picture("--map array --search sb_rea_star --show tree"), "rectangle<"));
+  CHECK(contains(picture(maze + "--compare --show profile"), ">curvature [1/m]<"));
+}
+
+TEST_CASE("a --show that no picture can obey is refused") {
+  const Folder folder;
+  const auto refused = [&](const std::string& arguments, const std::string& message) {
+    INFO(arguments);
+    const Outcome outcome = folder.run(arguments);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err == "tutavia-plan: " + message + "\n");
+    CHECK(folder.files() == 0);
+  };
+  refused("--svg p.svg --show visted", "--show: unknown part \"visted\"; did you mean visited?");
+  refused("--svg p.svg --show tree,rainbow",
+          "--show: unknown part \"rainbow\"; expected visited, tree, zones, passages or profile");
+  refused("--svg p.svg --show ''",
+          "--show: unknown part \"\"; expected visited, tree, zones, passages or profile");
+  refused("--show zones", "--show is for a picture; give --svg FILE");
+  refused("--compare --svg p.svg --show visited",
+          "--compare draws curves of many searches; --show takes zones and profile there");
+}
+
+TEST_CASE("the legend calls curves as the user wrote the algorithms, with goal and length") {
+  const Folder folder;
+  const std::string task = "--map maze --goal 14,6 --search astar,weighted_astar:weight=2 ";
+  REQUIRE(folder.run(task + "--smoother none,shortcut+bezier:trim=0.4 --svg p.svg").code == 0);
+  const std::string svg = read(folder / "p.svg");
+  for (const std::string search : {"astar", "weighted_astar:weight=2"}) {
+    for (const std::string smoother : {"none", "shortcut+bezier:trim=0.4"}) {
+      INFO(search << ", " << smoother);
+      CHECK(contains(svg, ">" + search + ", " + smoother + ", 1"));
+    }
+  }
+  REQUIRE(folder.run("--map array --goal 14,8.4 --goal 10,15.2 --svg p.svg").code == 0);
+  CHECK(contains(read(folder / "p.svg"), ">astar, delta, to (14, 8.4), 1"));
+  CHECK(contains(read(folder / "p.svg"), ">astar, delta, to (10, 15.2), 1"));
+}
+
+TEST_CASE("a picture without a plan shows what was searched, where to, and why there is none") {
+  const Folder folder;
+  folder.write("wall.map", "type octile\nheight 3\nwidth 5\nmap\n..@..\n..@..\n..@..\n");
+  const std::string task = "--grid wall.map --start 0.5,0.5 --goal 4.5,2.5 --smoother none ";
+  CHECK(
+      folder.run(task + "--search astar,rrt:iterations=99 --show visited,tree --svg p.svg").code ==
+      1);
+  const std::string svg = read(folder / "p.svg");
+  CHECK(contains(svg, ">visited<"));
+  CHECK(contains(svg, ">tree<"));
+  CHECK(contains(svg, ">goal<"));
+  CHECK(contains(svg, ">astar, none: no plan (unreachable_at_resolution)<"));
+  CHECK(contains(svg, ">rrt:iterations=99, none: no plan (budget_exhausted)<"));
+  // Rows run downwards, as in the file: the goal lies in the lower right corner.
+  CHECK(contains(svg, "<circle cx=\"736.00\" cy=\"446.00\" r=\"7.00\" fill=\"#7a8794\""));
 }
 
 }  // namespace
