@@ -60,8 +60,8 @@ concept CellwiseEvaluation = ExitEvaluation<E> &&
   evaluation.reach(edge);
 };
 
-/// An evaluation with a moving target. `aim_at(cells)` is called before the exits of a rectangle are
-/// entered, with the exit that the other side has expanded last.
+/// An evaluation with a moving target. `aim_at(cells)` is called before the exits of a rectangle
+/// are entered, with the exit that the other side has expanded last.
 template <class E>
 concept AimedEvaluation = ExitEvaluation<E> && requires(E& evaluation, const CellInterval& cells) {
   evaluation.aim_at(cells);
