@@ -277,24 +277,24 @@ void compare_on(const std::string& name, const S& space, const Query& query,
               name.c_str(), step, wide, args.iterations, args.seeds);
   const std::uint32_t n = args.iterations;
   compare<RrtStar, og::RRTstar>("RRT*, radius rule, factor 1.1",
-                                {.iterations = n, .neighbours = Neighbours::radius}, space, query,
-                                args, n, [&](og::RRTstar& peer) {
+                                {.max_iterations = n, .neighbours = Neighbours::radius}, space,
+                                query, args, n, [&](og::RRTstar& peer) {
                                   peer.setRange(step);
                                   peer.setKNearest(false);
                                   peer.setRewireFactor(1.1);
                                 });
   // OMPL's k is 2^d e (1 + 1/d) ln n times its factor, twice over in the plane: 8 times the book's.
   compare<RrtStar, og::RRTstar>("RRT*, k = 1.1 e 1.5 ln n, wide steps",
-                                {.step = wide, .iterations = n}, space, query, args, n,
+                                {.step = wide, .max_iterations = n}, space, query, args, n,
                                 [&](og::RRTstar& peer) {
                                   peer.setRange(wide);
                                   peer.setRewireFactor(1.1 / 8);
                                 });
-  compare<RrtStar, og::RRTstar>("RRT*, defaults (OMPL: k = 8.8 e 1.5 ln n)", {.iterations = n},
+  compare<RrtStar, og::RRTstar>("RRT*, defaults (OMPL: k = 8.8 e 1.5 ln n)", {.max_iterations = n},
                                 space, query, args, n, [](og::RRTstar&) {});
-  compare<Rrt, og::RRT>("RRT", {.iterations = 100000}, space, query, args, 100000,
+  compare<Rrt, og::RRT>("RRT", {.max_iterations = 100000}, space, query, args, 100000,
                         [&](og::RRT& peer) { peer.setRange(step); });
-  compare<RrtConnect, og::RRTConnect>("RRT-Connect", {.iterations = 100000}, space, query, args,
+  compare<RrtConnect, og::RRTConnect>("RRT-Connect", {.max_iterations = 100000}, space, query, args,
                                       100000, [&](og::RRTConnect& peer) { peer.setRange(step); });
   compare_simplifiers(space, query, args);
   count_violations(space, query, args);
@@ -331,7 +331,7 @@ void print_convergence(const char* label, const Arguments& args, const InflatedS
                        Query query, double optimum, A algorithm) {
   std::printf("  %-26s", label);
   for (const std::uint32_t iterations : {1000u, 3000u, 10000u, 30000u}) {
-    algorithm.iterations = iterations;
+    algorithm.max_iterations = iterations;
     Runs runs;
     for (query.seed = 1; query.seed <= args.seeds; ++query.seed) {
       run(algorithm, space, query, runs);
@@ -403,13 +403,13 @@ void show_paper(const Arguments& args) {
   const std::uint32_t n = args.iterations;
   for (const Scene& scene : {maps::rrt_scene_1(), maps::rrt_scene_2()}) {
     std::printf("%s\n", scene.name.c_str());
-    print_stage("RRT", args, scene, Rrt{.iterations = n}, NoSmoothing{});
-    print_stage("RRT*", args, scene, RrtStar{.iterations = n}, NoSmoothing{});
+    print_stage("RRT", args, scene, Rrt{.max_iterations = n}, NoSmoothing{});
+    print_stage("RRT*", args, scene, RrtStar{.max_iterations = n}, NoSmoothing{});
     print_stage("RRT* outside risk zones", args, scene,
-                SafeRrtStar{.iterations = n, .prune = false}, NoSmoothing{});
-    print_stage("improved: and redundant nodes removed", args, scene, SafeRrtStar{.iterations = n},
-                NoSmoothing{});
-    print_stage("proposed: and a cubic B-spline", args, scene, SafeRrtStar{.iterations = n},
+                SafeRrtStar{.max_iterations = n, .prune = false}, NoSmoothing{});
+    print_stage("improved: and redundant nodes removed", args, scene,
+                SafeRrtStar{.max_iterations = n}, NoSmoothing{});
+    print_stage("proposed: and a cubic B-spline", args, scene, SafeRrtStar{.max_iterations = n},
                 BSplineSmoother{.prune = false});
   }
 }

@@ -34,5 +34,5 @@ int main() {
   };
   show(AStar{});
   show(SbReaStar{});
-  show(RrtStar{.iterations = 1000});
+  show(RrtStar{.max_iterations = 1000});
 }

@@ -25,9 +25,9 @@ int main() {
 
   show(space, query, Rrt{});
   show(space, query, RrtConnect{.step = 1.0});
-  show(space, query, RrtStar{.iterations = 2000});
-  show(space, query, InformedRrtStar{.iterations = 2000});
-  show(space, query, SafeRrtStar{.iterations = 2000});
+  show(space, query, RrtStar{.max_iterations = 2000});
+  show(space, query, InformedRrtStar{.max_iterations = 2000});
+  show(space, query, SafeRrtStar{.max_iterations = 2000});
   show(space, query, TangentGraph{});
   show(space, query, TangentGraph{.tangents = TangentGraph::prepare(space).value()});
   std::cout << "no path is shorter than " << find_optimum(space, query).value() << " m\n";

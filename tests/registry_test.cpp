@@ -102,12 +102,12 @@ TEST_CASE("an algorithm made with options plans as its own value with these memb
   const Scene scene = maps::maze();
   const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
   const Query query{.start = scene.start, .goal = scene.goals[0], .seed = 7};
-  const std::vector<OptionText> tree{{"iterations", "2500"}, {"goal_bias", "0.2"}};
+  const std::vector<OptionText> tree{{"max_iterations", "2500"}, {"goal_bias", "0.2"}};
   const std::vector<OptionText> arcs{{"corner_threshold", "0.1"}, {"join", "tangent"}};
   const auto search = make_search<LatticeSpace>("rrt_star", tree).value();
   const auto smoother = make_smoother<LatticeSpace>("delta", arcs).value();
   Planner by_name{search, smoother};
-  Planner by_type{RrtStar{.goal_bias = 0.2, .iterations = 2500},
+  Planner by_type{RrtStar{.goal_bias = 0.2, .max_iterations = 2500},
                   DeltaSmoother{.corner_threshold = 0.1, .join = DeltaSmoother::Join::tangent}};
   Planner by_default{RrtStar{}, DeltaSmoother{}};
   const auto plan = by_name.plan(space, query).value();

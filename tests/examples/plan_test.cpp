@@ -528,16 +528,16 @@ TEST_CASE("algorithms take options, and results say all of them") {
   const Folder folder;
   const Outcome outcome = folder.run(
       "--goal 14,6 --json r.json --search astar:heuristic=euclidean,jps,"
-      "rrt_star:iterations=2000,goal_bias=0.1"
+      "rrt_star:max_iterations=2000,goal_bias=0.1"
       " --smoother "
       "delta:join=paper,delta:join=tangent,corner_threshold=0.4,shortcut+bezier:trim=1");
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
   CHECK(contains(outcome.out, "search astar:heuristic=euclidean, smoother delta:join=paper;"));
   CHECK(contains(outcome.out, "search jps, smoother delta:join=tangent,corner_threshold=0.4;"));
-  CHECK(
-      contains(outcome.out,
-               "search rrt_star:iterations=2000,goal_bias=0.1, smoother shortcut+bezier:trim=1;"));
+  CHECK(contains(
+      outcome.out,
+      "search rrt_star:max_iterations=2000,goal_bias=0.1, smoother shortcut+bezier:trim=1;"));
   const auto results = nlohmann::json::parse(read(folder / "r.json"))["results"];
   REQUIRE(results.size() == 9);
   CHECK(results[0]["search"] == "astar");
@@ -548,7 +548,7 @@ TEST_CASE("algorithms take options, and results say all of them") {
   const auto tree = results[6]["options"]["search"];
   CHECK(tree.size() == 5);
   CHECK(tree["step"].is_null());
-  CHECK(tree["iterations"] == 2000);
+  CHECK(tree["max_iterations"] == 2000);
   CHECK(tree["goal_bias"].get<double>() == 0.1);
   CHECK(tree["neighbours"] == "k_nearest");
   const auto paper = results[0]["options"]["smoother"];
@@ -566,7 +566,8 @@ TEST_CASE("algorithms take options, and results say all of them") {
 
 TEST_CASE("options reach the algorithms: a tree of few iterations finds nothing") {
   const Folder folder;
-  const Outcome few = folder.run("--goal 14,6 --search rrt:iterations=3,rrt:iterations=20000");
+  const Outcome few =
+      folder.run("--goal 14,6 --search rrt:max_iterations=3,rrt:max_iterations=20000");
   CHECK(few.code == 1);
   CHECK(contains(few.out, "budget_exhausted"));
   CHECK(contains(few.out, "proved"));
@@ -624,18 +625,21 @@ TEST_CASE("errors in options give exit code 2 and one line with the option and w
   };
   for (const Case& bad : {
            Case{"--search rrt_star:iteration=5",
-                "--search rrt_star: unknown option \"iteration\"; did you mean iterations?"},
-           Case{"--search rrt_sta:iterations=5",
+                "--search rrt_star: unknown option \"iteration\"; did you mean max_iterations?"},
+           Case{"--search rrt_sta:max_iterations=5",
                 "--search: unknown name \"rrt_sta\"; did you mean rrt_star?"},
            Case{"--search astar,rrt_sta", "did you mean rrt_star?"},
            Case{"--smoother shortcut+bezir:trim=1", "did you mean bezier?"},
-           Case{"--search rrt_star:iterations=x",
-                "--search rrt_star: iterations: expected a whole number from 0 to 4294967295, got "
+           Case{"--search rrt_star:max_iterations=x",
+                "--search rrt_star: max_iterations: expected a whole number from 0 to 4294967295, "
+                "got "
                 "\"x\""},
-           Case{"--search rrt_star:iterations=1,iterations=2", "\"iterations\" is given twice"},
+           Case{"--search rrt_star:max_iterations=1,max_iterations=2",
+                "\"max_iterations\" is given twice"},
            Case{"--smoother delta:join=glue", "join: expected paper or tangent, got \"glue\""},
            Case{"--search rrt_star:", "expected OPTION=VALUE"},
-           Case{"--search iterations=5", "expected NAME:OPTION=VALUE, got \"iterations=5\""},
+           Case{"--search max_iterations=5",
+                "expected NAME:OPTION=VALUE, got \"max_iterations=5\""},
            Case{"--search jps:weight=2", "unknown option \"weight\"; there are none"},
            Case{"--search any_angle", "--search: any_angle works on grid maps alone (--grid)"},
            Case{"--search weighted_astar:weight=0.5",
@@ -775,7 +779,7 @@ TEST_CASE("--show chooses what a picture shows of the searches") {
   CHECK(contains(visited, ">curvature [1/m]<"));
   CHECK_FALSE(contains(visited, ">safety zone, 0.3 m<"));
 
-  const std::string tree = "--map rrt_scene_1 --search safe_rrt_star:iterations=800 --seed 5 ";
+  const std::string tree = "--map rrt_scene_1 --search safe_rrt_star:max_iterations=800 --seed 5 ";
   const std::string grown = picture(tree + "--smoother b_spline");
   CHECK(contains(grown, ">tree<"));
   CHECK(contains(grown, ">path of the tree, before nodes are removed<"));
@@ -838,15 +842,14 @@ TEST_CASE("a picture without a plan shows what was searched, where to, and why t
   const Folder folder;
   folder.write("wall.map", "type octile\nheight 3\nwidth 5\nmap\n..@..\n..@..\n..@..\n");
   const std::string task = "--grid wall.map --start 0.5,0.5 --goal 4.5,2.5 --smoother none ";
-  CHECK(
-      folder.run(task + "--search astar,rrt:iterations=99 --show visited,tree --svg p.svg").code ==
-      1);
+  CHECK(folder.run(task + "--search astar,rrt:max_iterations=99 --show visited,tree --svg p.svg")
+            .code == 1);
   const std::string svg = read(folder / "p.svg");
   CHECK(contains(svg, ">visited<"));
   CHECK(contains(svg, ">tree<"));
   CHECK(contains(svg, ">goal<"));
   CHECK(contains(svg, ">astar, none: no plan (unreachable_at_resolution)<"));
-  CHECK(contains(svg, ">rrt:iterations=99, none: no plan (budget_exhausted)<"));
+  CHECK(contains(svg, ">rrt:max_iterations=99, none: no plan (budget_exhausted)<"));
   // Rows run downwards, as in the file: the goal lies in the lower right corner.
   CHECK(contains(svg, "<circle cx=\"736.00\" cy=\"446.00\" r=\"7.00\" fill=\"#7a8794\""));
 }

@@ -158,7 +158,7 @@ TEST_CASE(
 TEST_CASE("a picture of a safe tree shows its risk zones and the path before nodes are removed") {
   const Scene scene = maps::rrt_scene_1();
   const auto space = LatticeSpace::build(scene.workspace, {}).value();
-  Planner planner{SafeRrtStar{.iterations = 800}};
+  Planner planner{SafeRrtStar{.max_iterations = 800}};
   SearchRecord record{.keeps_nodes = false};
   const Query query{.start = scene.start, .goal = scene.goals[0], .seed = 5};
   const Plan plan = planner.plan(space, query, record).value();

@@ -28,6 +28,7 @@ TEST_CASE("a misspelt name finds the one that it means") {
   CHECK(nearest_name("rrtstar", names) == "rrt_star");
   CHECK(nearest_name("max_iterations", names) == "iterations");
   CHECK(nearest_name("iteration", names) == "iterations");
+  CHECK(nearest_name("ration", names) == "iterations");  // a part of it
   CHECK(nearest_name("step", names) == "step");
   CHECK(nearest_name("stp", names) == "step");
 }

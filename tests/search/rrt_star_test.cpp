@@ -41,7 +41,7 @@ double median_ratio(std::uint32_t iterations, const Scene& scene, Neighbours nei
   RrtStar::Scratch scratch;
   std::vector<double> ratios;
   for (query.seed = 1; query.seed <= 5; ++query.seed) {
-    const RrtStar search{.iterations = iterations, .neighbours = neighbours};
+    const RrtStar search{.max_iterations = iterations, .neighbours = neighbours};
     ratios.push_back(search.search(space, query, scratch, no_observer)->cost / optimum);
     CHECK(ratios.back() >= 1 - 1e-9);
   }
@@ -177,7 +177,7 @@ TEST_CASE("the tree is that of RRT* as it is printed, to the bit", "[soak]") {
       const Query query{.start = scene.start, .goal = scene.goals[0], .seed = seed};
       RrtStar::Scratch scratch;
       NoObserver no_observer;
-      static_cast<void>(RrtStar{.iterations = 1000}.search(space, query, scratch, no_observer));
+      static_cast<void>(RrtStar{.max_iterations = 1000}.search(space, query, scratch, no_observer));
       PlainRrtStar plain(space, query, step);
       plain.run(1000);
       plain.check_same(scratch.tree);
@@ -191,7 +191,7 @@ TEST_CASE("at the end of its budget RrtStar gives the best path it has") {
   Query query{.start = scene.start, .goal = scene.goals[0]};
   RrtStar::Scratch scratch;
   NoObserver no_observer;
-  const RrtStar endless{.iterations = 4000000000u};
+  const RrtStar endless{.max_iterations = 4000000000u};
   query.budget.max_expansions = 3000;
   const auto limited = endless.search(space, query, scratch, no_observer);
   REQUIRE(limited);
@@ -221,7 +221,7 @@ TEST_CASE("a search that is cancelled has no path, even if it found one") {
   Query query{.start = scene.start, .goal = scene.goals[0]};
   query.budget.stop = observer.source.get_token();
   RrtStar::Scratch scratch;
-  const auto route = RrtStar{.iterations = 100000}.search(space, query, scratch, observer);
+  const auto route = RrtStar{.max_iterations = 100000}.search(space, query, scratch, observer);
   REQUIRE_FALSE(route);
   CHECK(route.error().code == PlanError::cancelled);
   CHECK(route.error().stats.expanded < 20000);

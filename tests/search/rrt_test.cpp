@@ -21,7 +21,7 @@ TEST_CASE("no edge of a tree is longer than the step, and the path bends at its 
   NoObserver no_observer;
   for (const double step : {0.3, 1.0, 22.0}) {
     const auto route =
-        Rrt{.step = step, .iterations = 20000}.search(space, query, scratch, no_observer);
+        Rrt{.step = step, .max_iterations = 20000}.search(space, query, scratch, no_observer);
     REQUIRE(route);
     std::size_t edges = 0;
     scratch.for_each_edge([&](const Point& from, const Point& to) {

@@ -29,7 +29,7 @@ TEST_CASE("where there is a path outside the risk zones it is taken, and costs i
     const auto space = InflatedSpace::build(scene.workspace).value();
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       const Query query{.start = scene.start, .goal = scene.goals[0], .seed = seed};
-      const SafeRrtStar algorithm{.iterations = 1000};
+      const SafeRrtStar algorithm{.max_iterations = 1000};
       const RiskZone zone = algorithm.zone(space);
       CHECK(zone.width == 2);
       const auto route = search(algorithm, space, query);
@@ -38,7 +38,7 @@ TEST_CASE("where there is a path outside the risk zones it is taken, and costs i
       CHECK(zone.integral(space, route->curve).value == 0);
       CHECK(route->cost == Approx(route->curve.length()).epsilon(1e-12));
       // Dropping nodes makes the same path shorter.
-      const auto unpruned = search({.iterations = 1000, .prune = false}, space, query);
+      const auto unpruned = search({.max_iterations = 1000, .prune = false}, space, query);
       REQUIRE(unpruned);
       CHECK(route->curve.length() <= unpruned->curve.length());
       CHECK(route->curve.pieces().size() < unpruned->curve.pieces().size());
@@ -59,7 +59,8 @@ TEST_CASE(
     "where every path crosses a zone it is short in it, and the iterations of both trees count") {
   const auto space = two_rooms();
   const Query query{.start = {2, 1}, .goal = {18, 1}, .seed = 3};
-  const SafeRrtStar algorithm{.step = 2, .iterations = 2000, .risk_width = 1.5, .risk_weight = 5};
+  const SafeRrtStar algorithm{
+      .step = 2, .max_iterations = 2000, .risk_width = 1.5, .risk_weight = 5};
   const RiskZone zone = algorithm.zone(space);
   const auto route = search(algorithm, space, query);
   REQUIRE(route);
@@ -71,13 +72,13 @@ TEST_CASE(
   RrtStar::Scratch scratch;
   NoObserver no_observer;
   const auto shortest =
-      RrtStar{.step = 2, .iterations = 2000}.search(space, query, scratch, no_observer);
+      RrtStar{.step = 2, .max_iterations = 2000}.search(space, query, scratch, no_observer);
   REQUIRE(shortest);
   CHECK(shortest->curve.length() < route->curve.length());
   CHECK(zone.integral(space, shortest->curve).value > risk.value);
   // Without the attempt to keep out there is one tree.
   const auto at_once = search(
-      {.step = 2, .iterations = 2000, .risk_width = 1.5, .risk_weight = 5, .keep_out = false},
+      {.step = 2, .max_iterations = 2000, .risk_width = 1.5, .risk_weight = 5, .keep_out = false},
       space, query);
   REQUIRE(at_once);
   CHECK(at_once->stats.expanded == 2000);
@@ -86,7 +87,7 @@ TEST_CASE(
 
 TEST_CASE("a start inside a risk zone is left without a detour of iterations") {
   const auto space = two_rooms();
-  const SafeRrtStar algorithm{.iterations = 1000, .risk_width = 1.5};
+  const SafeRrtStar algorithm{.max_iterations = 1000, .risk_width = 1.5};
   const auto route = search(algorithm, space, {.start = {9.5, 1}, .goal = {18, 1}});
   REQUIRE(route);
   CHECK(route->stats.expanded == 1000);

@@ -216,7 +216,7 @@ TEST_CASE("zones of risk are avoided on distances alone") {
   const Scene scene = maps::complex();
   const FieldSpace field = test::field_space(scene.workspace, {.resolution = scene.resolution});
   const auto exact = InflatedSpace::build(scene.workspace).value();
-  Planner planner{SafeRrtStar{.iterations = 1500}, Shortcut{}};
+  Planner planner{SafeRrtStar{.max_iterations = 1500}, Shortcut{}};
   const auto plan = planner.plan(field, {.start = scene.start, .goal = scene.goals[0]});
   REQUIRE(plan);
   CHECK(plan->route.risk_width > 0);

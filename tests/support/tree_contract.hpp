@@ -81,7 +81,7 @@ void check_tree_options(const A& algorithm, const InflatedSpace& space, const Qu
        {0.0, -1.0, 1.001 * distance(bounds.min, bounds.max), HUGE_VAL, std::nan("")}) {
     refused("step", [&](A& a) { a.step = step; });
   }
-  refused("iterations", [](A& a) { a.iterations = 0; });
+  refused("max_iterations", [](A& a) { a.max_iterations = 0; });
   if constexpr (requires(A a) { a.goal_bias = 0; }) {
     for (const double bias : {-0.001, 1.001, std::nan("")}) {
       refused("goal_bias", [&](A& a) { a.goal_bias = bias; });
@@ -182,7 +182,7 @@ class TreeTrial {
                                             .obstacles = {Polygon{{{5, -1}, {5, 11}}}}})
                           .value();
     A few = algorithm_;
-    few.iterations = 200;
+    few.max_iterations = 200;
     NoObserver no_observer;
     const auto none = few.search(room, {.start = {1, 1}, .goal = {9, 9}}, used_, no_observer);
     REQUIRE_FALSE(none);

@@ -100,7 +100,7 @@ inline Expected<PipelineText, Failure> parse_pipeline(const std::string& text) {
 
 /// Reads a comma list of algorithms and pipelines, each stage with its options:
 ///
-///     astar:heuristic=euclidean,jps,rrt_star:iterations=5000,goal_bias=0.1
+///     astar:heuristic=euclidean,jps,rrt_star:max_iterations=5000,goal_bias=0.1
 ///     shortcut+bezier:trim=0.5,fullness=0.6,delta
 ///
 /// A part with an equals sign, and no colon before it, belongs to the algorithm before it. Names

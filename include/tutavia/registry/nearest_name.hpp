@@ -39,7 +39,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace detail
 
 /// The name that differs least from `word`, the first of several. Empty if every name differs in
-/// more than half of the letters of `word`. Words of more than 100 letters are near no name.
+/// more than half of the letters of `word`. Words of more than 100 letters are near no name. A word
+/// of four letters or more that is a part of a name differs by one.
 ///
 /// The difference is the number of letters inserted, removed, replaced or swapped with their
 /// neighbour (Damerau 1964, "A technique for computer detection and correction of spelling
@@ -50,7 +51,8 @@ inline std::optional<std::string> nearest_name(std::string_view word,
   std::size_t least = std::max<std::size_t>(1, word.size() / 2) + 1;
   const std::string* nearest = nullptr;
   for (const std::string& name : names) {
-    const std::size_t distance = detail::edit_distance(word, name);
+    const bool is_part = word.size() >= 4 && name.find(word) != std::string::npos;
+    const std::size_t distance = is_part ? 1 : detail::edit_distance(word, name);
     if (distance >= least || distance >= word.size()) continue;
     least = distance;
     nearest = &name;

@@ -38,7 +38,7 @@ struct Rrt {
   /// side.
   std::optional<double> step{};
   double goal_bias = 0.05;          ///< share of iterations that grow towards the goal
-  std::uint32_t iterations = 3000;  ///< at most
+  std::uint32_t max_iterations = 3000;  ///< at most
 
   template <FreeSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
@@ -53,7 +53,7 @@ struct Rrt {
     const auto add = [&](detail::SearchTree::Node parent, const Point& p) {
       return growth.add(tree, parent, p, distance(tree.position(parent), p));
     };
-    for (std::uint32_t i = 0; i < iterations; ++i) {
+    for (std::uint32_t i = 0; i < max_iterations; ++i) {
       if (auto next = growth.next_iteration(); !next) {
         return Unexpected{growth.failure(std::move(next.error()), tree)};
       }

@@ -54,7 +54,7 @@ struct RrtConnect {
   /// Longest edge [m], at most the diagonal of the bounds. Default: 1/25 of the bounds' longer
   /// side.
   std::optional<double> step{};
-  std::uint32_t iterations = 3000;  ///< at most
+  std::uint32_t max_iterations = 3000;  ///< at most
 
   template <FreeSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
@@ -67,7 +67,7 @@ struct RrtConnect {
     if (auto straight = detail::straight_route(space, query)) return std::move(*straight);
     detail::TreeGrowth growth(space, query, step, observer);
     detail::SearchTree *tree = &scratch.from_start, *other = &scratch.from_goal;
-    for (std::uint32_t i = 0; i < iterations; ++i, std::swap(tree, other)) {
+    for (std::uint32_t i = 0; i < max_iterations; ++i, std::swap(tree, other)) {
       if (auto next = growth.next_iteration(); !next) {
         return Unexpected{growth.failure(std::move(next.error()), scratch.from_start)};
       }

@@ -39,7 +39,7 @@ struct RrtStar {
   /// side. Edges to the k nearest may be longer.
   std::optional<double> step{};
   double goal_bias = 0.05;  ///< share of iterations that grow towards the goal until it is reached
-  std::uint32_t iterations = 3000;
+  std::uint32_t max_iterations = 3000;
   Neighbours neighbours = Neighbours::k_nearest;
   double rewire_factor = 1.1;  ///< asymptotic optimality needs more than 1
 

@@ -47,7 +47,7 @@ struct SafeRrtStar {
   /// side.
   std::optional<double> step{};
   double goal_bias = 0.05;  ///< share of iterations that grow towards the goal until it is reached
-  std::uint32_t iterations = 3000;  ///< of each tree
+  std::uint32_t max_iterations = 3000;  ///< of each tree
   Neighbours neighbours = Neighbours::k_nearest;
   double rewire_factor = 1.1;  ///< asymptotic optimality needs more than 1
   /// Width of the risk zones [m]. Default: that of `step`.

@@ -55,9 +55,9 @@ TEST_CASE("every option of every algorithm can be set, alone, and read back") {
 TEST_CASE("texts set the members that they name") {
   RrtStar tree;
   const std::vector<OptionText> texts{
-      {"iterations", "5000"}, {"goal_bias", "0.1"}, {"step", "0.25"}, {"neighbours", "radius"}};
+      {"max_iterations", "5000"}, {"goal_bias", "0.1"}, {"step", "0.25"}, {"neighbours", "radius"}};
   REQUIRE(set_options("rrt_star", bind_options(&tree, OptionTable<RrtStar>::fields.all), texts));
-  CHECK(tree.iterations == 5000);
+  CHECK(tree.max_iterations == 5000);
   CHECK(tree.goal_bias == 0.1);
   CHECK(tree.step == 0.25);
   CHECK(tree.neighbours == Neighbours::radius);
@@ -82,20 +82,20 @@ std::string refused(const std::vector<OptionText>& texts) {
 
 TEST_CASE("what cannot be set is named, with what was expected and the nearest option") {
   CHECK(refused<RrtStar>({{"iteration", "5"}}) ==
-        "rrt_star: unknown option \"iteration\"; did you mean iterations?");
-  CHECK(refused<RrtStar>({{"max_iterations", "5"}}) ==
-        "rrt_star: unknown option \"max_iterations\"; did you mean iterations?");
+        "rrt_star: unknown option \"iteration\"; did you mean max_iterations?");
+  CHECK(refused<RrtStar>({{"iterations", "5"}}) ==
+        "rrt_star: unknown option \"iterations\"; did you mean max_iterations?");
   CHECK(refused<RrtStar>({{"zzz", "5"}}) ==
-        "rrt_star: unknown option \"zzz\"; known: step goal_bias iterations neighbours "
+        "rrt_star: unknown option \"zzz\"; known: step goal_bias max_iterations neighbours "
         "rewire_factor");
   CHECK(refused<Jps>({{"weight", "5"}}) == "jps: unknown option \"weight\"; there are none");
   CHECK(refused<AStar>({{"costs", "5"}}) == "astar: unknown option \"costs\"; known: heuristic");
   CHECK(refused<SsaAStar>({{"weights", "5"}}).find("unknown option \"weights\"") !=
         std::string::npos);
-  CHECK(refused<RrtStar>({{"iterations", "many"}}) ==
-        "rrt_star: iterations: expected a whole number from 0 to 4294967295, got \"many\"");
-  CHECK(refused<RrtStar>({{"iterations", ""}}) ==
-        "rrt_star: iterations: expected a whole number from 0 to 4294967295, got \"\"");
+  CHECK(refused<RrtStar>({{"max_iterations", "many"}}) ==
+        "rrt_star: max_iterations: expected a whole number from 0 to 4294967295, got \"many\"");
+  CHECK(refused<RrtStar>({{"max_iterations", ""}}) ==
+        "rrt_star: max_iterations: expected a whole number from 0 to 4294967295, got \"\"");
   CHECK(refused<RrtStar>({{"goal_bias", "nan"}}) ==
         "rrt_star: goal_bias: expected a number, got \"nan\"");
   CHECK(refused<RrtStar>({{"step", "x"}}) ==
@@ -104,8 +104,8 @@ TEST_CASE("what cannot be set is named, with what was expected and the nearest o
         "delta: join: expected paper or tangent, got \"glue\"");
   CHECK(refused<SafeRrtStar>({{"prune", "1"}}) ==
         "safe_rrt_star: prune: expected false or true, got \"1\"");
-  CHECK(refused<RrtStar>({{"iterations", "5"}, {"step", "1"}, {"iterations", "5"}}) ==
-        "rrt_star: option \"iterations\" is given twice");
+  CHECK(refused<RrtStar>({{"max_iterations", "5"}, {"step", "1"}, {"max_iterations", "5"}}) ==
+        "rrt_star: option \"max_iterations\" is given twice");
 }
 
 TEST_CASE("a setter keeps all options, set or not") {

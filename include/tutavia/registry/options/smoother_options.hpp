@@ -61,21 +61,21 @@ struct OptionTable<RedundantNodeRemoval> {
 template <>
 struct OptionTable<DeltaSmoother> {
   static constexpr std::string_view sentence =
-      "Arcs at critical corners, and greedy shortcuts in between";
+      "Wide arcs where the path turns near corners, long straight lines in between";
   static constexpr auto fields = option_fields<DeltaSmoother>(
       field<&DeltaSmoother::corner_threshold>(
           "corner_threshold", "m",
           "largest distance between the path and the safety zone of a critical corner"),
-      field<&DeltaSmoother::arc_initial_offset>(
-          "arc_initial_offset", "m",
-          "first distance tried after 0 by which an arc is pushed away from its corner"),
+      field<&DeltaSmoother::arc_initial_offset>("arc_initial_offset", "m",
+                                                "first distance tried between the control point of "
+                                                "an arc and the safety zone of its corner"),
       field<&DeltaSmoother::arc_max_offset>("arc_max_offset", "m", "largest such distance"),
       field<&DeltaSmoother::arc_growth_step>("arc_growth_step", "m",
                                              "step between such distances, positive"),
       field<&DeltaSmoother::min_exterior_angle>(
           "min_exterior_angle", "rad", "corners that turn by less are facets of a round obstacle"),
       field<&DeltaSmoother::join>("join", "",
-                                  "how lines and arcs meet: as in the paper, or rounded"));
+                                  "how lines and arcs meet: in one direction, or as in the paper"));
 };
 
 template <>

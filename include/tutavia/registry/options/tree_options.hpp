@@ -37,10 +37,10 @@ struct TreeSentences {
 template <>
 struct OptionTable<Rrt> {
   static constexpr std::string_view sentence = "The first path found by a random tree";
-  static constexpr auto fields =
-      option_fields<Rrt>(field<&Rrt::step>("step", "m", TreeSentences::step),
-                         field<&Rrt::goal_bias>("goal_bias", "", TreeSentences::goal_bias),
-                         field<&Rrt::iterations>("iterations", "", TreeSentences::iterations));
+  static constexpr auto fields = option_fields<Rrt>(
+      field<&Rrt::step>("step", "m", TreeSentences::step),
+      field<&Rrt::goal_bias>("goal_bias", "", TreeSentences::goal_bias),
+      field<&Rrt::max_iterations>("max_iterations", "", TreeSentences::iterations));
 };
 
 template <>
@@ -50,7 +50,7 @@ struct OptionTable<RrtStar> {
   static constexpr auto fields = option_fields<RrtStar>(
       field<&RrtStar::step>("step", "m", TreeSentences::step),
       field<&RrtStar::goal_bias>("goal_bias", "", TreeSentences::goal_bias),
-      field<&RrtStar::iterations>("iterations", "", TreeSentences::iterations),
+      field<&RrtStar::max_iterations>("max_iterations", "", TreeSentences::iterations),
       field<&RrtStar::neighbours>("neighbours", "", TreeSentences::neighbours),
       field<&RrtStar::rewire_factor>("rewire_factor", "", TreeSentences::rewire_factor));
 };
@@ -60,7 +60,7 @@ struct OptionTable<RrtConnect> {
   static constexpr std::string_view sentence = "Two random trees that grow towards each other";
   static constexpr auto fields = option_fields<RrtConnect>(
       field<&RrtConnect::step>("step", "m", TreeSentences::step),
-      field<&RrtConnect::iterations>("iterations", "", TreeSentences::iterations));
+      field<&RrtConnect::max_iterations>("max_iterations", "", TreeSentences::iterations));
 };
 
 template <>
@@ -70,7 +70,7 @@ struct OptionTable<InformedRrtStar> {
   static constexpr auto fields = option_fields<InformedRrtStar>(
       field<&InformedRrtStar::step>("step", "m", TreeSentences::step),
       field<&InformedRrtStar::goal_bias>("goal_bias", "", TreeSentences::goal_bias),
-      field<&InformedRrtStar::iterations>("iterations", "", TreeSentences::iterations),
+      field<&InformedRrtStar::max_iterations>("max_iterations", "", TreeSentences::iterations),
       field<&InformedRrtStar::neighbours>("neighbours", "", TreeSentences::neighbours),
       field<&InformedRrtStar::rewire_factor>("rewire_factor", "", TreeSentences::rewire_factor));
 };
@@ -81,7 +81,7 @@ struct OptionTable<SafeRrtStar> {
   static constexpr auto fields = option_fields<SafeRrtStar>(
       field<&SafeRrtStar::step>("step", "m", TreeSentences::step),
       field<&SafeRrtStar::goal_bias>("goal_bias", "", TreeSentences::goal_bias),
-      field<&SafeRrtStar::iterations>("iterations", "", "iterations of each tree at most"),
+      field<&SafeRrtStar::max_iterations>("max_iterations", "", "iterations of each tree at most"),
       field<&SafeRrtStar::neighbours>("neighbours", "", TreeSentences::neighbours),
       field<&SafeRrtStar::rewire_factor>("rewire_factor", "", TreeSentences::rewire_factor),
       field<&SafeRrtStar::risk_width>("risk_width", "m",

@@ -202,7 +202,7 @@ concept Sampler = requires(const F& sample, Arguments&... arguments) {
   { sample(arguments...) } -> std::same_as<Point>;
 };
 
-/// Grows a tree towards `options.iterations` samples and returns its best path, also if the budget
+/// Grows a tree towards `options.max_iterations` samples and returns its best path, also if the budget
 /// ends before that. Samples are uniform with `options.goal_bias` until there is a path; after that
 /// they are `sample(cost of the best path)`.
 template <RewiredTreeOptions Options, EdgeCost CostOf, FreeSpace S, Observer O,
@@ -210,7 +210,7 @@ template <RewiredTreeOptions Options, EdgeCost CostOf, FreeSpace S, Observer O,
 Expected<Route, Failure> grow(RewiredTree<CostOf, S, O>& tree, TreeGrowth<S, O>& growth,
                               const Options& options, const Sample& sample) {
   Failure end{.code = PlanError::budget_exhausted};
-  for (std::uint32_t i = 0; i < options.iterations; ++i) {
+  for (std::uint32_t i = 0; i < options.max_iterations; ++i) {
     if (auto next = growth.next_iteration(); !next) {
       end = std::move(next.error());
       break;

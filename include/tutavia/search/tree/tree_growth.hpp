@@ -46,7 +46,7 @@ inline double default_step(const Box& bounds) {
 template <class T>
 concept TreeOptions = requires(const T& options) {
   { options.step } -> std::same_as<const std::optional<double>&>;
-  { options.iterations } -> std::same_as<const std::uint32_t&>;
+  { options.max_iterations } -> std::same_as<const std::uint32_t&>;
 };
 
 /// Checks the options that all random trees share, then the query.
@@ -64,8 +64,8 @@ Expected<void, Failure> check_growth(const Options& options, const S& space, con
       return fail(PlanError::invalid_option, "goal_bias must lie in [0, 1]");
     }
   }
-  if (options.iterations == 0) {
-    return fail(PlanError::invalid_option, "iterations must be positive");
+  if (options.max_iterations == 0) {
+    return fail(PlanError::invalid_option, "max_iterations must be positive");
   }
   return check_query(space, query);
 }
