@@ -94,7 +94,7 @@ std::vector<Claim> claims_of(const std::vector<std::vector<Row>>& maps) {
   }
   const auto of_3 = [](int count) { return std::to_string(count) + " of 3 maps"; };
   const auto verdict = [](int count) {
-    return count == 3 ? Verdict::reproduced : count > 0 ? Verdict::tendency : Verdict::not_so;
+    return count == 3 ? Verdict::reproduced : count > 1 ? Verdict::tendency : Verdict::not_so;
   };
   return {
       {"Improved REA\\* finds shorter paths than A\\*", verdict(shorter),

@@ -135,7 +135,7 @@ Table saving_table(const std::vector<SetRuns>& all) {
                   "**Table 3**, SSA-A\\* against the others in percent, means over 15 grids: "
                   "published / by the paper's rules / by the library's. *Paper's rules*: "
                   "weights tuned on 5 other grids of the kind and size, cells re-opened. "
-                  "*Library*: default weights, `reopen = false`.",
+                  "*Library*: default weights, not re-opened (`reopen = false`).",
               .header = {"grids"}};
   const std::vector<Saving> columns = savings();
   for (const Saving& saving : columns) table.header.push_back(saving.title);

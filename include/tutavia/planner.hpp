@@ -22,8 +22,9 @@ struct Plan {
   Curve curve{};              ///< from start to goal, both exact
   Certificate certificate{};  ///< always `proved`
   PathMetrics metrics{};
-  Route route{};           ///< result of the search, before smoothing
-  bool fell_back = false;  ///< no smoothed curve was proved; `curve` is the route's
+  Route route{};  ///< result of the search, before smoothing
+  /// No smoothed curve was proved, and `curve` is the route's; or parts of it are (see Planner).
+  bool fell_back = false;
   Statistics stats{};
 };
 
@@ -41,7 +42,9 @@ concept PlannableSpace = ClearanceSpace<S> && Searcher<Search, S> && Smoother<Sm
 /// smoothed curve is not proved, the plan uses the route's own curve (`fell_back`); if that is not
 /// proved either, the result is `not_proved`. If the deadline passes during smoothing or its proof,
 /// the route is still proved and returned. A cancelled query returns `cancelled`. If the search
-/// avoided a risk zone (SafeRrtStar), the smoothed curve avoids it wherever the route does.
+/// avoided a risk zone (SafeRrtStar), the smoothed curve avoids it wherever the route does. A route
+/// that leads through the zone may have to be smoothed in parts, or left as it is in parts: then
+/// what the smoother promises holds for each part alone, and the plan says `fell_back`.
 ///
 /// The planner owns the search's scratch memory: use one planner per thread. Threads may share a
 /// space.
@@ -82,7 +85,8 @@ class Planner {
     auto smoothed = detail::smooth_outside_risk(space, smoother_, plan.route, query.budget);
     stats.smooth_us = watch.lap();
     if (smoothed) {
-      plan.curve = std::move(*smoothed);
+      plan.curve = std::move(smoothed->curve);
+      plan.fell_back = !smoothed->is_whole;
       plan.certificate = certify(space, plan.curve, {}, query.budget);
     } else if (smoothed.error().code == PlanError::invalid_option) {
       return failed(std::move(smoothed.error()));

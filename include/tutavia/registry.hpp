@@ -196,8 +196,8 @@ std::vector<AnySmoother<S>> all_smoothers() {
 
 /// The searcher of a name, with options as texts:
 ///
-///     const std::array options{OptionText{"max_iterations", "5000"}, OptionText{"goal_bias",
-///     "0.1"}}; const auto search = make_search<LatticeSpace>("rrt_star", options);
+///     const std::array options{OptionText{"goal_bias", "0.1"}, OptionText{"step", "2"}};
+///     const auto search = make_search<LatticeSpace>("rrt_star", options);
 ///
 /// Errors: `invalid_option` for a name or an option that is not known on S, with the nearest one;
 /// for an option given twice; for a text that is no value of the option's type. Values out of range

@@ -81,6 +81,7 @@ struct Jps {
   template <JumpSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
+    if (auto valid = detail::check_has_rule(space); !valid) return std::move(valid).unexpected();
     if (space.movement() == MovementRule::four_connected) {
       return fail(PlanError::invalid_option, "jps needs a movement rule with diagonal steps");
     }

@@ -87,9 +87,11 @@ namespace detail {
 template <GridSpace S>
 Expected<void, Failure> check_has_rule(const S& space) {
   if (space.movement() != MovementRule::by_edge) return {};
-  return fail(PlanError::invalid_option,
-              "this search needs the same movement rule everywhere; on a lattice with EdgeRule::"
-              "paper_strict use astar, dijkstra, weighted_astar, penalty_astar or theta_star");
+  return fail(
+      PlanError::invalid_option,
+      "this search needs the same movement rule everywhere; on a lattice with the edge rule "
+      "paper_strict use astar, dijkstra, weighted_astar, penalty_astar, ssa_astar, "
+      "theta_star, lazy_theta_star or a random tree");
 }
 
 /// Returns `invalid_option` unless the space has the movement rule `no_cut`.

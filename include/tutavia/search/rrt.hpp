@@ -37,7 +37,7 @@ struct Rrt {
   /// Longest edge [m], at most the diagonal of the bounds. Default: 1/25 of the bounds' longer
   /// side.
   std::optional<double> step{};
-  double goal_bias = 0.05;          ///< share of iterations that grow towards the goal
+  double goal_bias = 0.05;              ///< share of iterations that grow towards the goal
   std::uint32_t max_iterations = 3000;  ///< at most
 
   template <FreeSpace S, Observer O = NoObserver>

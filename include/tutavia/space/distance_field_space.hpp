@@ -55,7 +55,10 @@ struct DistanceFieldOptions {
 /// distance. A function that overestimates a distance makes proofs wrong. Values may be too low by
 /// any amount (then free space is smaller). The rounding of a value is taken to be at most
 /// 16 u M (M: largest coordinate, u = 2^-53); subtract larger errors in the function, for instance
-/// those of interpolation between the samples of a stored field. NaN counts as blocked.
+/// those of interpolation between the samples of a stored field. A point with the value NaN is not
+/// free, but NaN says nothing of the points around it: where nothing is known, return 0 or less,
+/// and around it at most the distance to it. A function far below the distances may make the proof
+/// of a route fail (`not_proved`) although each of its steps is safe.
 ///
 /// **Ties.** A point or a segment within rounding of the safety radius is not free. A segment whose
 /// clearance exceeds the radius by less than about `tolerance` may be refused. Distances of
@@ -105,7 +108,8 @@ class DistanceFieldSpace {
   NearestObstacle nearest(const P& piece, double cap) const {
     const auto found =
         detail::least_along(piece, cap, tolerance_, [this](const Point& x) { return value(x); });
-    if (found.lower >= cap) return {.distance = cap, .parameter = found.parameter};
+    if (found.lower >= std::fmin(cap, 0x1p399))
+      return {.distance = cap, .parameter = found.parameter};
     return {.distance = found.lower, .parameter = found.parameter, .obstacle = 0};
   }
   bool is_inside(const Point& p) const { return clearance(p) < 0; }

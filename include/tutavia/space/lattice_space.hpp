@@ -61,11 +61,14 @@ class LatticeSpace {
     const bool is_strict = options.edges == EdgeRule::paper_strict;
     if (options.movement == MovementRule::by_edge ||
         (is_strict && options.movement != MovementRule::no_cut)) {
-      return fail(PlanError::invalid_option,
-                  "movement by_edge is what EdgeRule::paper_strict gives, and takes no other");
+      return fail(
+          PlanError::invalid_option,
+          "the edge rule paper_strict brings its own movement rule, by_edge, which cannot be "
+          "chosen; leave movement at no_cut with it");
     }
+    if (auto valid = validate(workspace); !valid) return std::move(valid).unexpected();
     Workspace obstacles = workspace;
-    if (is_strict) obstacles.safety_radius = std::max(workspace.safety_radius - 1e-9, 0.0);
+    if (is_strict) obstacles.safety_radius = std::max(workspace.safety_radius - touching, 0.0);
     auto space = InflatedSpace::build(std::move(obstacles));
     if (!space) return Unexpected{space.error()};
     auto sampled = detail::sample_lattice(
@@ -85,14 +88,17 @@ class LatticeSpace {
                         std::move(edges));
   }
 
-  /// The lattice of the same obstacles at another safety radius [m]. Errors: those of `build`.
+  /// The lattice of the same obstacles and nodes at another safety radius [m]. Errors: those of
+  /// `build`.
   Expected<LatticeSpace, Failure> with_safety_radius(double radius) const {
     Workspace obstacles = workspace();
     obstacles.safety_radius = radius;
     LatticeOptions options{.resolution = frame().resolution, .movement = movement()};
+    options.max_nodes = std::int64_t{grid().width()} * grid().height();
     if (edges_ != nullptr) {
       options.movement = MovementRule::no_cut;
       options.edges = EdgeRule::paper_strict;
+      obstacles.safety_radius += touching;
     }
     return build(obstacles, options);
   }
@@ -143,6 +149,9 @@ class LatticeSpace {
   bool line_of_sight(Cell a, Cell b) const { return can_join(frame().point(a), frame().point(b)); }
 
  private:
+  /// By how much the radius is smaller with EdgeRule::paper_strict [m].
+  static constexpr double touching = 1e-9;
+
   /// Whether a segment is free, with EdgeRule::paper_strict also by the paper's zones.
   bool can_join(const Point& p, const Point& q) const {
     return segment_free(p, q) && (edges_ == nullptr || !edges_->zones.enters(p, q));

@@ -148,6 +148,11 @@ TEST_CASE("the rule takes no other movement rule, and by_edge is not a choice") 
   CHECK(code({.movement = MovementRule::allow, .edges = EdgeRule::paper_strict}) ==
         PlanError::invalid_option);
   CHECK(LatticeSpace::build(world, {.resolution = 0.2}).value().edge_steps().empty());
+  Workspace negative = world;
+  negative.safety_radius = -1;
+  const auto refused = LatticeSpace::build(negative, {.edges = EdgeRule::paper_strict});
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code == PlanError::invalid_input);
 }
 
 }  // namespace

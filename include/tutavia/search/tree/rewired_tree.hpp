@@ -202,9 +202,9 @@ concept Sampler = requires(const F& sample, Arguments&... arguments) {
   { sample(arguments...) } -> std::same_as<Point>;
 };
 
-/// Grows a tree towards `options.max_iterations` samples and returns its best path, also if the budget
-/// ends before that. Samples are uniform with `options.goal_bias` until there is a path; after that
-/// they are `sample(cost of the best path)`.
+/// Grows a tree towards `options.max_iterations` samples and returns its best path, also if the
+/// budget ends before that. Samples are uniform with `options.goal_bias` until there is a path;
+/// after that they are `sample(cost of the best path)`.
 template <RewiredTreeOptions Options, EdgeCost CostOf, FreeSpace S, Observer O,
           Sampler<double> Sample>
 Expected<Route, Failure> grow(RewiredTree<CostOf, S, O>& tree, TreeGrowth<S, O>& growth,

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <concepts>
-#include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "tutavia/certify/certify.hpp"
+#include "tutavia/certify/piece_proof.hpp"
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/expected.hpp"
 #include "tutavia/geometry/curve.hpp"
@@ -14,6 +17,7 @@
 #include "tutavia/plan/route.hpp"
 #include "tutavia/search/risk_zone.hpp"
 #include "tutavia/smooth/concepts.hpp"
+#include "tutavia/smooth/no_smoothing.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -27,55 +31,112 @@ concept AdjustableSpace = ClearanceSpace<S> && requires(const S& space, double r
   { space.with_safety_radius(radius) } -> std::same_as<Expected<S, Failure>>;
 };
 
-/// Smooths a curve in runs of pieces outside a risk zone and runs of other pieces. For a run
-/// outside, the zone is part of the obstacles if the space can be had at a larger safety radius. A
-/// smoothed run that costs more than the run itself (length and weighted risk) is not used. Where
-/// two runs meet, a corner of the curve stays. Errors: `invalid_option` of the smoother; those of
-/// the budget.
+/// A smoothed curve, and whether it is wholly the smoother's.
+struct SmoothedCurve {
+  Curve curve;
+  bool is_whole = true;
+};
+
+/// Smooths a curve without leading it farther into a risk zone.
+///
+/// A curve outside the zone is smoothed in a space of which the zone is part. Any other curve is
+/// smoothed in a space at its own least clearance, and the result used unless it costs more (length
+/// and weighted risk, to 1 %). If it does, runs of pieces outside the zone and runs of other pieces
+/// are smoothed likewise, each on its own; a run for which that fails stays as it is. A space that
+/// cannot be had at other radii is used as it is; then a run outside is used only if it is proved
+/// to stay outside. Errors: `invalid_option` of the smoother; those of the budget.
 template <ClearanceSpace S, Smoother<S> Smooth>
 class RiskRuns {
  public:
   RiskRuns(const S& space, const Smooth& smoother, const RiskZone& zone, const Budget& budget)
-      : space_(space), smoother_(smoother), zone_(zone), budget_(budget) {
-    if constexpr (AdjustableSpace<S>) {
-      auto wide = space.with_safety_radius(space.safety_radius() + zone.width);
-      if (wide) wide_.emplace(std::move(*wide));
-    }
-  }
+      : space_(space), smoother_(smoother), zone_(zone), budget_(budget) {}
 
-  Expected<Curve, Failure> smooth(const Curve& input) const {
-    Curve result, run;
-    bool outside = false;
+  Expected<SmoothedCurve, Failure> smooth(const Curve& input) {
+    std::vector<Run> runs;
     for (const Piece& piece : input.pieces()) {
-      const bool is_out = is_outside(piece);
-      if (!run.empty() && is_out != outside) {
-        if (auto done = append(run, outside, result); !done) return std::move(done).unexpected();
-        run = Curve();
-      }
-      outside = is_out;
-      run.push_back(piece);
+      const bool outside = is_outside(piece);
+      if (runs.empty() || runs.back().outside != outside) runs.push_back({Curve(), outside});
+      runs.back().curve.push_back(piece);
     }
-    if (run.empty()) return result;
-    if (auto done = append(run, outside, result); !done) return std::move(done).unexpected();
+    auto whole = smooth(Run{input, runs.size() == 1 && runs.front().outside});
+    if (!whole) return std::move(whole).unexpected();
+    if (*whole || runs.size() <= 1)
+      return SmoothedCurve{whole->value_or(input), whole->has_value()};
+    SmoothedCurve result{Curve(), false};
+    for (const Run& run : runs) {
+      const auto smoothed = smooth(run);
+      if (!smoothed) return Unexpected{smoothed.error()};
+      const Curve& part = *smoothed ? **smoothed : run.curve;
+      for (const Piece& piece : part.pieces()) result.curve.push_back(piece);
+    }
     return result;
   }
 
  private:
-  bool is_outside(const Piece& piece) const {
+  struct Run {
+    Curve curve;
+    bool outside;
+  };
+
+  bool is_outside(const Piece& piece) {
     const auto* line = piece.get_if<Segment>();
-    if (line == nullptr) return false;
-    return wide_ ? wide_->segment_free(line->a, line->b)
-                 : zone_.is_outside(space_, line->a, line->b);
+    if (line == nullptr || !zone_.is_outside(space_, line->a, line->b)) return false;
+    const S* wide = space_outside();
+    return wide == nullptr || wide->segment_free(line->a, line->b);
   }
 
-  Expected<void, Failure> append(const Curve& run, bool outside, Curve& result) const {
-    auto smoothed = smoother_.smooth(outside && wide_ ? *wide_ : space_, run, budget_);
-    if (!smoothed && smoothed.error().code != PlanError::invalid_input) {
-      return std::move(smoothed).unexpected();
+  /// The space of which the zone is part; null if it cannot be had. Built at the first call.
+  const S* space_outside() {
+    if (!std::exchange(is_built_, true)) {
+      if (auto wide = at_radius(space_.safety_radius() + zone_.width)) {
+        wide_.emplace(std::move(*wide));
+      }
     }
-    const bool is_better = smoothed && cost(*smoothed) <= cost(run) * (1 + zone_.tolerance);
-    for (const Piece& piece : (is_better ? *smoothed : run).pieces()) result.push_back(piece);
-    return {};
+    return wide_ ? &*wide_ : nullptr;
+  }
+
+  std::optional<S> at_radius(double radius) const {
+    if constexpr (AdjustableSpace<S>) {
+      if (auto space = space_.with_safety_radius(radius)) return std::move(*space);
+    }
+    return std::nullopt;
+  }
+
+  /// The run, smoothed; nothing if the result is worse.
+  Expected<std::optional<Curve>, Failure> smooth(const Run& run) {
+    if (run.outside) {
+      const S* wide = space_outside();
+      auto smoothed = smooth_in(wide != nullptr ? *wide : space_, run.curve);
+      if (smoothed && *smoothed && wide == nullptr && !stays_outside(**smoothed)) {
+        return std::optional<Curve>();
+      }
+      return smoothed;
+    }
+    const double clearance = certify(space_, run.curve, {}, budget_).lower;
+    if (clearance > space_.safety_radius()) {
+      if (const auto narrow = at_radius(clearance)) return smooth_in(*narrow, run.curve);
+    }
+    return smooth_in(space_, run.curve);
+  }
+
+  Expected<std::optional<Curve>, Failure> smooth_in(const S& space, const Curve& run) const {
+    auto smoothed = smoother_.smooth(space, run, budget_);
+    if (smoothed && cost(*smoothed) <= cost(run) * (1 + zone_.tolerance)) {
+      return std::optional(std::move(*smoothed));
+    }
+    if (smoothed || smoothed.error().code == PlanError::invalid_input) {
+      return std::optional<Curve>();
+    }
+    return std::move(smoothed).unexpected();
+  }
+
+  bool stays_outside(const Curve& curve) const {
+    const double distance = space_.safety_radius() + zone_.width;
+    return std::all_of(curve.pieces().begin(), curve.pieces().end(), [&](const Piece& any) {
+      return any.visit([&](const auto& piece) {
+        return prove_distance(space_, piece, distance).status == ProofStatus::proved;
+      });
+    });
   }
 
   double cost(const Curve& curve) const {
@@ -86,14 +147,19 @@ class RiskRuns {
   const Smooth& smoother_;
   const RiskZone& zone_;
   const Budget& budget_;
+  bool is_built_ = false;
   std::optional<S> wide_{};
 };
 
 /// Smooths a route's curve; with RiskRuns if the search avoided a risk zone.
 template <ClearanceSpace S, Smoother<S> Smooth>
-Expected<Curve, Failure> smooth_outside_risk(const S& space, const Smooth& smoother,
-                                             const Route& route, const Budget& budget) {
-  if (!(route.risk_width > 0)) return smoother.smooth(space, route.curve, budget);
+Expected<SmoothedCurve, Failure> smooth_outside_risk(const S& space, const Smooth& smoother,
+                                                     const Route& route, const Budget& budget) {
+  if (!(route.risk_width > 0) || std::same_as<Smooth, NoSmoothing>) {
+    auto curve = smoother.smooth(space, route.curve, budget);
+    if (!curve) return std::move(curve).unexpected();
+    return SmoothedCurve{std::move(*curve)};
+  }
   const RiskZone zone{.width = route.risk_width, .weight = route.risk_weight};
   return RiskRuns<S, Smooth>(space, smoother, zone, budget).smooth(route.curve);
 }

@@ -168,7 +168,9 @@ class WideArcs {
     }
     // The rest of a leg lies on it up to rounding. If that makes it unprovable, the leg stays.
     for (std::size_t k = 0; k + 1 < path_.size();) {
-      if (arc_end(k) == arc_start(k + 1) || space_.segment_free(arc_end(k), arc_start(k + 1))) {
+      const bool is_whole = !roundings_[k].arc && !roundings_[k + 1].arc;  // proved as it came
+      if (is_whole || arc_end(k) == arc_start(k + 1) ||
+          space_.segment_free(arc_end(k), arc_start(k + 1))) {
         ++k;
       } else {
         roundings_[k] = roundings_[k + 1] = {};
