@@ -23,8 +23,7 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// BidirectionalRectangles: the rectangle expansion from both ends of SbReaStar and
-/// ImprovedReaStar.
+/// BidirectionalRectangles: rectangle expansion from both ends.
 
 namespace tutavia::detail {
 
@@ -158,22 +157,20 @@ class BidirectionalRectangles {
   }
 
   void expand(std::size_t turn, std::uint32_t from) {
-    Expansion& expansion = scratch_.expansions[turn];
-    Expansion& other = scratch_.expansions[1 - turn];
+    Expansion &expansion = scratch_.expansions[turn], &other = scratch_.expansions[1 - turn];
     const CellInterval cells = expansion.exits[from].cells;
     const bool had_met = met();
     context_.count_expanded(cells.middle());
-    const bool root = is_root(expansion, from);
-    const CellRectangle r = root ? free_.grow_around(cells.cell(cells.first)) : free_.grow(cells);
-    notify_rectangle(context_.observer, space_, cells, r,
-                     turn == 0 ? SearchSide::start : SearchSide::goal);
+    const CellRectangle r =
+        is_root(expansion, from) ? free_.grow_around(cells.cell(cells.first)) : free_.grow(cells);
+    const SearchSide whose = turn == 0 ? SearchSide::start : SearchSide::goal;
+    notify_rectangle(context_.observer, space_, cells, r, whose);
     expansion.exits[from].rectangle = r;
     expansion.expanded.push_back(from);
     expansion.covered.add(r);
     if constexpr (AimedEvaluation<Evaluation>) {
-      if (!other.expanded.empty()) {
-        expansion.evaluation.aim_at(other.exits[other.expanded.back()].cells);
-      }
+      const auto& done = other.expanded;
+      if (!done.empty()) expansion.evaluation.aim_at(other.exits[done.back()].cells);
     }
     if constexpr (is_cellwise) expansion.evaluation.expand(expansion.exits[from]);
     const std::uint64_t now = context_.statistics.expanded;
