@@ -237,7 +237,7 @@ TEST_CASE("jump point search takes guides of any kind") {
 struct TreeOptionsArchetype {
   std::optional<double> step{};
   double goal_bias = 0.5;
-  std::uint32_t iterations = 100;
+  std::uint32_t max_iterations = 100;
   Neighbours neighbours = Neighbours::radius;
   double rewire_factor = 1.1;
 };

@@ -87,9 +87,10 @@ class RiskRuns {
 
   /// The space of which the zone is part; null if it cannot be had. Built at the first call.
   const S* space_outside() {
-    if (!std::exchange(is_built_, true)) {
-      if (auto wide = at_radius(space_.safety_radius() + zone_.width)) {
-        wide_.emplace(std::move(*wide));
+    if constexpr (AdjustableSpace<S>) {
+      if (!std::exchange(is_built_, true)) {
+        auto wide = space_.with_safety_radius(space_.safety_radius() + zone_.width);
+        if (wide) wide_.emplace(std::move(*wide));
       }
     }
     return wide_ ? &*wide_ : nullptr;
