@@ -134,7 +134,7 @@ inline Expected<void, Failure> validate(const Workspace& workspace) {
   };
   const Box& bounds = workspace.bounds;
   if (!detail::is_valid_point(bounds.min) || !detail::is_valid_point(bounds.max)) {
-    return invalid(std::string("bounds ") + detail::coordinate_rule);
+    return invalid(std::string("bounds ").append(detail::coordinate_rule));
   }
   if (!(bounds.min.x() <= bounds.max.x() && bounds.min.y() <= bounds.max.y())) {
     return invalid("bounds are empty: the minimum lies above the maximum");
