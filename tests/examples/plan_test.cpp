@@ -591,7 +591,7 @@ TEST_CASE("with --compare the chosen options stand beside the defaults") {
   CHECK(rows.at("delta")[joint] != rows.at("delta:join=paper")[joint]);
 }
 
-TEST_CASE("--edges paper_strict gives the published lengths of A*") {
+TEST_CASE("with --edges paper_strict A* finds the published lengths") {
   const Folder folder;
   const std::string task = "--edges paper_strict --goal 14.5,14.5 --smoother none ";
   const Outcome outcome = folder.run(task + "--search astar,theta_star,jps --json r.json");
@@ -667,7 +667,7 @@ TEST_CASE("errors in options give exit code 2 and one line with the option and w
   }
 }
 
-TEST_CASE("--help-NAME prints the options of any algorithm") {
+TEST_CASE("the option --help-NAME prints the options of any algorithm") {
   const Folder folder;
   std::istringstream list(folder.run("--list").out);
   std::string line, name;
@@ -717,7 +717,7 @@ TEST_CASE("the movement rule holds on lattices and on grid maps") {
   CHECK(contains(refused.out, "invalid_option"));
 }
 
-TEST_CASE("--buffer keeps paths off the cells around blocked ones") {
+TEST_CASE("the option --buffer keeps paths off the cells around blocked ones") {
   const Folder folder;
   folder.write("wall.map",
                "type octile\nheight 7\nwidth 7\nmap\n"
@@ -761,7 +761,7 @@ TEST_CASE("--buffer keeps paths off the cells around blocked ones") {
   CHECK(folder.run("--grid wall.map --start 1e300,3.5 --goal 4.5,3.5 --buffer 1").code == 1);
 }
 
-TEST_CASE("--show chooses what a picture shows of the searches") {
+TEST_CASE("the option --show chooses what a picture shows of the searches") {
   const Folder folder;
   const auto picture = [&](const std::string& arguments) {
     const Outcome outcome = folder.run(arguments + " --svg p.svg");

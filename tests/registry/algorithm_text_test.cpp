@@ -32,9 +32,9 @@ TEST_CASE("lists and pipelines are read with the options of each stage") {
   CHECK(read("astar") == "astar");
   CHECK(read("astar,jps") == "astar;jps");
   CHECK(read("rrt_star:max_iterations=5000,goal_bias=0.1") ==
-        "rrt_star[iterations|5000][goal_bias|0.1]");
+        "rrt_star[max_iterations|5000][goal_bias|0.1]");
   CHECK(read("astar:heuristic=euclidean,jps,rrt_star:max_iterations=5000,goal_bias=0.1,rrt") ==
-        "astar[heuristic|euclidean];jps;rrt_star[iterations|5000][goal_bias|0.1];rrt");
+        "astar[heuristic|euclidean];jps;rrt_star[max_iterations|5000][goal_bias|0.1];rrt");
   CHECK(read("shortcut+bezier:trim=0.5,delta") == "shortcut+bezier[trim|0.5];delta");
   CHECK(read("bezier:trim=0.5,fullness=0.6+delta:join=paper,none") ==
         "bezier[trim|0.5][fullness|0.6]+delta[join|paper];none");
