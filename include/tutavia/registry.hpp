@@ -154,6 +154,7 @@ std::vector<Offer<AnySmoother<S>>> smoother_offers(AlgorithmList<A...>) {
 template <class Any>
 std::vector<Any> make_all(const std::vector<Offer<Any>>& offers) {
   std::vector<Any> all;
+  all.reserve(offers.size());
   for (const auto& offer : offers) all.push_back(std::move(offer.with({}).value()));
   return all;
 }

@@ -61,7 +61,7 @@ std::vector<std::string> split_at(const std::string& text, char separator,
   return parts;
 }
 
-inline Expected<AlgorithmText, Failure> parse_stage(std::string text) {
+inline Expected<AlgorithmText, Failure> parse_stage(const std::string& text) {
   const std::size_t colon = text.find(':');
   AlgorithmText stage{.text = text, .name = text.substr(0, colon)};
   if (colon == std::string::npos) {
@@ -88,8 +88,8 @@ inline Expected<PipelineText, Failure> parse_pipeline(const std::string& text) {
   const auto joins_stages = [&](std::size_t plus) {
     return plus + 1 == text.size() || text[plus + 1] < '0' || text[plus + 1] > '9';
   };
-  for (std::string& stage : split_at(text, '+', joins_stages)) {
-    auto parsed = parse_stage(std::move(stage));
+  for (const std::string& stage : split_at(text, '+', joins_stages)) {
+    auto parsed = parse_stage(stage);
     if (!parsed) return std::move(parsed).unexpected();
     pipeline.stages.push_back(std::move(*parsed));
   }

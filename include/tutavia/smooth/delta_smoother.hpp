@@ -119,7 +119,7 @@ struct DeltaSmoother {
   template <ClearanceSpace S>
   static Expected<Curve, Failure> rounded_shortcuts(const S& space, const Curve& input,
                                                     const Budget& budget) {
-    const auto shortcuts = Shortcut{}.smooth(space, input, budget);
+    auto shortcuts = Shortcut{}.smooth(space, input, budget);
     if (!shortcuts) return shortcuts;
     std::vector<detail::ArcVertex> polyline;
     for (const Point& p : waypoints(*shortcuts)) polyline.push_back({p});

@@ -66,6 +66,7 @@ inline std::string unknown_option(const std::string& name,
   std::string message = "unknown option \"" + name + "\"; ";
   if (options.empty()) return message.append("there are none");
   std::vector<std::string> names;
+  names.reserve(options.size());
   for (const BoundOption& option : options) names.push_back(option.name);
   return message.append(hint(name, names));
 }

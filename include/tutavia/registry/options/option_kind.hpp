@@ -176,8 +176,9 @@ inline std::string to_text(const OptionValue& value) {
   if (const auto* name = std::get_if<std::string>(&value)) return *name;
   if (const auto* number = std::get_if<double>(&value)) {
     std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), *number).ptr;
-    return {buffer.data(), end};
+    const auto length =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), *number).ptr - buffer.data();
+    return {buffer.data(), static_cast<std::size_t>(length)};
   }
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   return std::to_string(std::get<std::uint64_t>(value));
