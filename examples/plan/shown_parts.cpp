@@ -21,13 +21,14 @@ ShownParts parse_shown_parts(const std::string& text) {
                                       {"profile", &ShownParts::profile}};
   ShownParts shown;
   for (const std::string& name : split(text, ',')) {
-    const auto part = std::find_if(parts.begin(), parts.end(),
-                                   [&](const Part& known) { return known.first == name; });
+    const auto* const part = std::find_if(parts.begin(), parts.end(),
+                                          [&](const Part& known) { return known.first == name; });
     if (part != parts.end()) {
       shown.*part->second = true;
       continue;
     }
     std::vector<std::string> names;
+    names.reserve(parts.size());
     for (const Part& known : parts) names.emplace_back(known.first);
     const auto nearest = tutavia::nearest_name(name, names);
     std::string message = "--show: unknown part \"" + name + "\"; ";
