@@ -31,6 +31,7 @@ void add_taut_lengths(const PlanningSpace& space, Group& group) {
 std::vector<PipelineText> rivals(const std::vector<std::string>& names,
                                  const PipelineText& chosen) {
   std::vector<PipelineText> all;
+  all.reserve(names.size() + 1);
   for (const std::string& name : names) all.push_back(default_choice(name));
   const bool is_known = std::find(names.begin(), names.end(), chosen.text) != names.end();
   if (!is_known) all.push_back(chosen);
