@@ -140,8 +140,8 @@ inline Expected<void, Failure> validate(const Workspace& workspace) {
     return invalid("bounds are empty: the minimum lies above the maximum");
   }
   if (!detail::is_valid_coordinate(workspace.safety_radius) || workspace.safety_radius < 0) {
-    return invalid(std::string("safety_radius must not be negative, and ") +
-                   detail::coordinate_rule);
+    return invalid(
+        std::string("safety_radius must not be negative, and ").append(detail::coordinate_rule));
   }
   for (std::size_t i = 0; i < workspace.obstacles.size(); ++i) {
     std::string error_message =
