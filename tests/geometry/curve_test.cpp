@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 using namespace tutavia;
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 Curve polyline(const std::vector<Point>& points) { return Curve::polyline(points); }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 #include "support/catch.hpp"
 #include "support/scale.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 using namespace tutavia;
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 const double inf = std::numeric_limits<double>::infinity();
 const double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -16,7 +16,7 @@ namespace {
 using namespace tutavia;
 using Json = nlohmann::json;
 
-ResultHeader header(const Scene& scene, const Point& goal) {
+ResultHeader header_of(const Scene& scene, const Point& goal) {
   return {"astar", "delta", scene.start, goal, scene.workspace.safety_radius};
 }
 
@@ -25,7 +25,8 @@ TEST_CASE("a plan's numbers read back to the same doubles") {
   const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.2}).value();
   Planner planner{AStar{}, DeltaSmoother{}};
   const Plan plan = planner.plan(space, {.start = scene.start, .goal = scene.goals[1]}).value();
-  const auto file = result_file(Json::array({result_to_json(header(scene, scene.goals[1]), plan)}));
+  const auto file =
+      result_file(Json::array({result_to_json(header_of(scene, scene.goals[1]), plan)}));
   const Json json = Json::parse(file.dump());
   CHECK(json["tutavia"] == 1);
   const Json& result = json["results"][0];
@@ -113,7 +114,7 @@ TEST_CASE("a failure is written with its code, its detail and the clearance") {
   Planner planner{AStar{}, DeltaSmoother{}};
   const auto plan = planner.plan(space, {.start = scene.start, .goal = {9, 3}});
   REQUIRE_FALSE(plan);
-  const Json json = Json::parse(result_to_json(header(scene, {9, 3}), plan.error()).dump());
+  const Json json = Json::parse(result_to_json(header_of(scene, {9, 3}), plan.error()).dump());
   CHECK(json["status"] == "goal_blocked");
   CHECK(json["clearance"].get<double>() == Approx(-0.2));
   CHECK_FALSE(json.contains("curve"));

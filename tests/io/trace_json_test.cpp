@@ -19,11 +19,11 @@ std::vector<Json> lines_of(const std::string& text) {
   return lines;
 }
 
-const ResultHeader header{"rea_star", "none", {1, 2}, {3, 0.1}, 0.25};
+const ResultHeader trace_header{"rea_star", "none", {1, 2}, {3, 0.1}, 0.25};
 
 TEST_CASE("a search without events is one line that says what was asked and what came of it") {
   std::string text;
-  append_trace(text, header, "unreachable", {});
+  append_trace(text, trace_header, "unreachable", {});
   const auto lines = lines_of(text);
   REQUIRE(lines.size() == 1);
   CHECK(lines[0] == Json{{"event", "search"},
@@ -41,7 +41,7 @@ TEST_CASE("every event is a line with its kind and its points, in order, behind 
   record.on_rectangle({{0, 0}, {2, 0}}, {{0, 0}, {2, 5}}, SearchSide::goal);
   record.edge({1, 1}, {2, 3});
   std::string text = "{\"event\":\"before\"}\n";
-  append_trace(text, header, "success", record);
+  append_trace(text, trace_header, "success", record);
   const auto lines = lines_of(text);
   REQUIRE(lines.size() == 7);
   CHECK(lines[0]["event"] == "before");
@@ -53,7 +53,7 @@ TEST_CASE("every event is a line with its kind and its points, in order, behind 
         Json{{"event", "rectangle"}, {"min", {0.0, 0.0}}, {"max", {2.0, 5.0}}, {"side", "goal"}});
   record.on_rectangle({{0, 0}, {2, 0}}, {{0, 0}, {2, 5}});
   std::string again;
-  append_trace(again, header, "success", record);
+  append_trace(again, trace_header, "success", record);
   CHECK(lines_of(again).back()["side"] == "start");
   CHECK(lines[6] == Json{{"event", "edge"}, {"from", {1.0, 1.0}}, {"to", {2.0, 3.0}}});
 }

@@ -10,7 +10,7 @@ namespace {
 
 using namespace tutavia;
 
-std::string complaint(const std::string& text) {
+std::string wkt_complaint(const std::string& text) {
   const auto read = parse_wkt(text);
   INFO(text);
   REQUIRE_FALSE(read);
@@ -150,13 +150,13 @@ TEST_CASE("anything else is an error that says where, and never an obstacle") {
            Case{"POLYGON((0 0,4 0 # corner\n,4 4))", "line 1, column 18: expected ',' or ')'"},
        }) {
     INFO(bad.text);
-    const std::string detail = complaint(bad.text);
+    const std::string detail = wkt_complaint(bad.text);
     INFO(detail);
     CHECK(detail.find(bad.expected) != std::string::npos);
   }
   using namespace std::string_literals;
-  complaint("POINT(1 2\0)"s);
-  complaint("\0"s);
+  wkt_complaint("POINT(1 2\0)"s);
+  wkt_complaint("\0"s);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ std::string with(const std::string& field, const std::string& value) {
   return json.dump();
 }
 
-std::string complaint(const std::string& text) {
+std::string scene_complaint(const std::string& text) {
   const auto file = parse_scene_json(text);
   REQUIRE_FALSE(file);
   CHECK(file.error().code == PlanError::invalid_input);
@@ -64,30 +64,30 @@ TEST_CASE("unknown keys at top level are warned of, one line each") {
 }
 
 TEST_CASE("malformed JSON is reported with line and column") {
-  contains(complaint("{\n  \"bounds\": [0, 0, 4 4]\n}"), "line 2, column 22");
-  contains(complaint(""), "line 1, column 1");
-  contains(complaint("{\"bounds\": [0, 0, 1e999, 4]}"), "1e999");
+  contains(scene_complaint("{\n  \"bounds\": [0, 0, 4 4]\n}"), "line 2, column 22");
+  contains(scene_complaint(""), "line 1, column 1");
+  contains(scene_complaint("{\"bounds\": [0, 0, 1e999, 4]}"), "1e999");
 }
 
 TEST_CASE("every wrong field is named with its place") {
-  contains(complaint("[]"), "expected an object");
-  contains(complaint("{}"), "\"bounds\" is missing");
-  contains(complaint(with("bounds", "[0,0,4]")), "bounds: expected [x0, y0, x1, y1]");
-  contains(complaint(with("bounds", "[4,0,0,4]")), "bounds are empty");
-  contains(complaint(with("safety_radius", "-0.1")), "safety_radius must not be negative");
-  contains(complaint(with("safety_radius", "\"big\"")), "safety_radius: expected a number");
-  contains(complaint(with("obstacles", "{}")), "obstacles: expected an array");
-  contains(complaint(with("obstacles", "[{\"polygon\":[[0,0],[1]]}]")),
+  contains(scene_complaint("[]"), "expected an object");
+  contains(scene_complaint("{}"), "\"bounds\" is missing");
+  contains(scene_complaint(with("bounds", "[0,0,4]")), "bounds: expected [x0, y0, x1, y1]");
+  contains(scene_complaint(with("bounds", "[4,0,0,4]")), "bounds are empty");
+  contains(scene_complaint(with("safety_radius", "-0.1")), "safety_radius must not be negative");
+  contains(scene_complaint(with("safety_radius", "\"big\"")), "safety_radius: expected a number");
+  contains(scene_complaint(with("obstacles", "{}")), "obstacles: expected an array");
+  contains(scene_complaint(with("obstacles", "[{\"polygon\":[[0,0],[1]]}]")),
            "obstacles[0].polygon[1]: expected [x, y]");
-  contains(complaint(with("obstacles", "[{\"polygon\":[]}]")),
+  contains(scene_complaint(with("obstacles", "[{\"polygon\":[]}]")),
            "obstacles[0].polygon has no points");
-  contains(complaint(with("obstacles", "[{\"bbox\":[0,0,1,1]},{\"radius\":1}]")),
+  contains(scene_complaint(with("obstacles", "[{\"bbox\":[0,0,1,1]},{\"radius\":1}]")),
            "obstacles[1]: expected");
-  contains(complaint(with("obstacles", "[{\"center\":[0,0],\"radius\":-1}]")),
+  contains(scene_complaint(with("obstacles", "[{\"center\":[0,0],\"radius\":-1}]")),
            "obstacles[0].radius");
-  contains(complaint(with("goals", "[[1,1],[2,null]]")), "goals[1]: expected [x, y]");
-  contains(complaint(with("start", "[1,2,3]")), "start: expected [x, y]");
-  contains(complaint(with("name", "7")), "name: expected a string");
+  contains(scene_complaint(with("goals", "[[1,1],[2,null]]")), "goals[1]: expected [x, y]");
+  contains(scene_complaint(with("start", "[1,2,3]")), "start: expected [x, y]");
+  contains(scene_complaint(with("name", "7")), "name: expected a string");
 }
 
 TEST_CASE("a file that is not there is named") {

@@ -51,7 +51,7 @@ TEST_CASE("a second forward scan can drop what the first one kept") {
 }
 
 /// The forward scan word for word.
-std::vector<Point> as_printed(const LatticeSpace& space, const std::vector<Point>& nodes) {
+std::vector<Point> printed_removal(const LatticeSpace& space, const std::vector<Point>& nodes) {
   std::vector<Point> kept{nodes.front()};
   for (std::size_t i = 0, n = nodes.size() - 1; i < n;) {
     std::size_t j = i + 1;
@@ -77,7 +77,7 @@ TEST_CASE("what is kept on random routes is what the scans say") {
     ++routes;
     const std::vector<Point> nodes = waypoints(detail::split_at_nodes(space, route->curve));
     CHECK(waypoints(RedundantNodeRemoval{}.smooth(space, route->curve, {}).value()) ==
-          as_printed(space, nodes));
+          printed_removal(space, nodes));
 
     const RedundantNodeRemoval from_end{.scan = Scan::from_far_end};
     const auto kept = waypoints(from_end.smooth(space, route->curve, {}).value());

@@ -17,7 +17,7 @@ TEST_CASE("SmoothingSpline keeps the smoother contract") {
   test::smoother_contract(SmoothingSpline{.smoothing = 5, .output_points = 2});
 }
 
-InflatedSpace space_with(std::vector<Obstacle> obstacles) {
+InflatedSpace corridor_with(std::vector<Obstacle> obstacles) {
   return InflatedSpace::build({.bounds = {{-1, -9}, {2500, 9}},
                                .safety_radius = 0.5,
                                .obstacles = std::move(obstacles)})
@@ -70,7 +70,7 @@ std::pair<double, double> largest_jumps(const Curve& curve) {
 }
 
 TEST_CASE("in the open, a spline spends its bound and has one point per share of the route") {
-  const auto space = space_with({});
+  const auto space = corridor_with({});
   for (const std::size_t count : {20u, 60u, 400u}) {
     const auto nodes = zigzag(count);
     const Curve input = Curve::polyline(nodes);
@@ -93,7 +93,7 @@ TEST_CASE("in the open, a spline spends its bound and has one point per share of
 }
 
 TEST_CASE("a spline turns continuously, and its curvature nearly so") {
-  const auto space = space_with({});
+  const auto space = corridor_with({});
   const Curve input = Curve::polyline(zigzag(60));
   double last = std::numeric_limits<double>::infinity();
   for (const std::size_t points : {100u, 1000u, 10'000u}) {
@@ -109,7 +109,7 @@ TEST_CASE("a spline turns continuously, and its curvature nearly so") {
 }
 
 TEST_CASE("more smoothing makes a spline shorter and straighter, up to the straight line") {
-  const auto space = space_with({});
+  const auto space = corridor_with({});
   const auto nodes = zigzag(60);
   const Curve input = Curve::polyline(nodes);
   double last = input.length();
@@ -127,7 +127,7 @@ TEST_CASE("more smoothing makes a spline shorter and straighter, up to the strai
 }
 
 TEST_CASE("nodes on a line become one segment, whatever the smoothing") {
-  const auto space = space_with({});
+  const auto space = corridor_with({});
   const auto lattice =
       LatticeSpace::build({.bounds = {{0, 0}, {20, 20}}, .safety_radius = 0.5}, {.resolution = 0.1})
           .value();
@@ -159,14 +159,14 @@ TEST_CASE("smoothing is measured in squared grid spacings where there is a grid"
 
 TEST_CASE("where an obstacle is in the way a part of the route keeps its steps") {
   // Within the first corner, a zone that both legs touch: no spline can cut that corner by much.
-  const auto post = space_with({Disc{{3.5, -0.5}, 0}});
-  const auto disc = space_with({Disc{{3.25, -0.75}, 0.25}});
+  const auto post = corridor_with({Disc{{3.5, -0.5}, 0}});
+  const auto disc = corridor_with({Disc{{3.25, -0.75}, 0.25}});
   std::vector<Point> nodes;
   for (int i = 0; i <= 40; ++i) nodes.emplace_back(0.1 * i, 0);
   for (int i = 1; i <= 40; ++i) nodes.emplace_back(4, -0.1 * i);
   for (int i = 1; i <= 60; ++i) nodes.emplace_back(4 + 0.1 * i, -4 + (i % 4 < 2 ? 0 : 0.1));
   const Curve input = Curve::polyline(nodes);
-  for (const auto& world : {space_with({}), post, disc}) {
+  for (const auto& world : {corridor_with({}), post, disc}) {
     REQUIRE(certify(world, input).status == ProofStatus::proved);
     for (const double smoothing : {1.0, 2.0, 5.0}) {
       INFO("smoothing " << smoothing);
@@ -200,7 +200,7 @@ TEST_CASE("steps that remain of one run of a route come out as that run") {
 }
 
 TEST_CASE("points, reversals and repeated nodes are smoothed or left") {
-  const auto space = space_with({});
+  const auto space = corridor_with({});
   const std::vector<Point> point{{1, 1}}, resting{{1, 1}, {1, 1}},
       there_and_back{{0, 0}, {3, 0}, {0, 0}};
   const std::vector<Point> circuit{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}};
@@ -222,7 +222,7 @@ TEST_CASE("points, reversals and repeated nodes are smoothed or left") {
 }
 
 TEST_CASE("a repeated node counts once") {
-  const auto space = space_with({});
+  const auto space = corridor_with({});
   const auto nodes = zigzag(40);
   std::vector<Point> repeated;
   for (const Point& p : nodes) repeated.insert(repeated.end(), 1 + repeated.size() % 3, p);
@@ -239,14 +239,14 @@ TEST_CASE("ten thousand nodes are smoothed, in the open and where sections are c
   const Point steps[] = {{0.2, 0}, {0, 0.2}, {0.2, 0}, {0, -0.2}};
   for (int i = 0; i < 10'000; ++i) nodes.push_back(nodes.back() + steps[i / 10 % 4]);
   const Curve input = Curve::polyline(nodes);
-  const auto open = SmoothingSpline{.smoothing = 100}.smooth(space_with({}), input, {}).value();
+  const auto open = SmoothingSpline{.smoothing = 100}.smooth(corridor_with({}), input, {}).value();
   CHECK(is_one_spline(open, 99));
   CHECK(open.length() < input.length());
 
   // A post in every tooth that leaves 10 cm on three sides.
   std::vector<Obstacle> posts;
   for (int i = 0; i < 500; ++i) posts.emplace_back(Disc{{1 + 2 * i, 1}, 0.4});
-  const auto narrow = space_with(posts);
+  const auto narrow = corridor_with(posts);
   REQUIRE(certify(narrow, input).status == ProofStatus::proved);
   for (const double smoothing : {10.0, 1e4}) {
     const auto curve = SmoothingSpline{.smoothing = smoothing}.smooth(narrow, input, {}).value();
@@ -258,7 +258,7 @@ TEST_CASE("ten thousand nodes are smoothed, in the open and where sections are c
 }
 
 TEST_CASE("options without meaning and routes that are no free polylines are refused") {
-  const auto space = space_with({Disc{{2, 0}, 0.5}});
+  const auto space = corridor_with({Disc{{2, 0}, 0.5}});
   const std::vector<Point> free{{0, 2}, {4, 2}}, blocked{{0, 0}, {4, 0}};
   const Curve input = Curve::polyline(free);
   const auto refusal = [&](const SmoothingSpline& smoother, const Curve& curve) {

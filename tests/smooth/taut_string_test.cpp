@@ -27,7 +27,7 @@ using std::numbers::pi;
 
 TEST_CASE("TautString keeps the smoother contract") { test::smoother_contract(TautString{}); }
 
-InflatedSpace space_with(std::vector<Obstacle> obstacles, double radius = 1) {
+InflatedSpace plane_with(std::vector<Obstacle> obstacles, double radius = 1) {
   return InflatedSpace::build({.bounds = {{-50, -50}, {50, 50}},
                                .safety_radius = radius,
                                .obstacles = std::move(obstacles)})
@@ -42,7 +42,7 @@ Curve taut(const InflatedSpace& space, const std::vector<Point>& route) {
 }
 
 TEST_CASE("around one post a string is two tangents and an arc") {
-  const auto space = space_with({Disc{{0, 0}, 1}});  // together with the radius: 2
+  const auto space = plane_with({Disc{{0, 0}, 1}});  // together with the radius: 2
   const Curve over = taut(space, {{-4, 0}, {-4, 6}, {4, 6}, {4, 0}});
   REQUIRE(over.pieces().size() == 3);
   const double tangent = std::sqrt(12.0), sweep = pi - 2 * std::acos(0.5);
@@ -61,7 +61,7 @@ TEST_CASE("around one post a string is two tangents and an arc") {
 }
 
 TEST_CASE("a string that nothing holds is straight, one that comes back is a point") {
-  const auto space = space_with({Disc{{0, 0}, 1}});
+  const auto space = plane_with({Disc{{0, 0}, 1}});
   const Curve straight = taut(space, {{-9, 4}, {-3, 8}, {0, 3}, {1, 3}, {2, 3}, {1, 3}, {9, 4}});
   CHECK(straight.pieces().size() == 1);
   const Curve back = taut(space, {{-9, 4}, {-3, 8}, {0, 3}, {-3, 8}, {-9, 4}});
@@ -74,7 +74,7 @@ TEST_CASE("a string that nothing holds is straight, one that comes back is a poi
 }
 
 TEST_CASE("walls without area hold a string, with all their vertices") {
-  const auto space = space_with({Polygon{{{-20, 0}, {0, 0}, {5, 1}, {0, 0}}}}, 0.5);
+  const auto space = plane_with({Polygon{{{-20, 0}, {0, 0}, {5, 1}, {0, 0}}}}, 0.5);
   const Curve around = taut(space, {{-10, 3}, {9, 3}, {9, -3}, {-10, -3}});
   CHECK(test::winds_around_nothing(
       space.workspace(), around,
@@ -195,14 +195,14 @@ bool same_class(const InflatedSpace& space, const Curve& a, const Curve& b) {
 }
 
 TEST_CASE("a bend of a whole turn is a bend") {
-  const auto post = space_with({Polygon{{{0, 0}}}}, 1);
+  const auto post = plane_with({Polygon{{{0, 0}}}}, 1);
   const std::vector<Point> loop{{-10, 1 + 1e-13}, {2, 1 + 1e-13},  {2, -2},
                                 {-2, -2},         {-2, 1 + 1e-13}, {10, 1 + 1e-13}};
   const Curve string = taut(post, loop);
   CHECK(string.length() == Approx(20 + 2 * pi).epsilon(1e-9));
   CHECK(same_class(post, string, Curve::polyline(loop)));
 
-  const auto posts = space_with({Polygon{{{9, 2}}}, Polygon{{{10, 4}}}, Polygon{{{11, 6}}}}, 0.5);
+  const auto posts = plane_with({Polygon{{{9, 2}}}, Polygon{{{10, 4}}}, Polygon{{{11, 6}}}}, 0.5);
   const std::vector<Point> between{{12, 8}, {13, 4}, {10, 3},     {9, 4.25}, {12, 6}, {11, 4},
                                    {9, 6},  {9, 5},  {12.5, 5.8}, {10, 2},   {8, 0}};
   CHECK(same_class(posts, taut(posts, between), Curve::polyline(between)));
@@ -210,34 +210,34 @@ TEST_CASE("a bend of a whole turn is a bend") {
 
 TEST_CASE("circles that only the straight line would meet are not wound around") {
   const auto first =
-      space_with({Polygon{{{6.8, 6.8}}}, Polygon{{{7, 7}}}, Polygon{{{7, 5.5}}}}, 0.3);
+      plane_with({Polygon{{{6.8, 6.8}}}, Polygon{{{7, 7}}}, Polygon{{{7, 5.5}}}}, 0.3);
   const std::vector<Point> hook{{3, 8}, {8, 4}, {7, 6.5}};
   const Curve around = taut(first, hook);
   CHECK(same_class(first, around, Curve::polyline(hook)));
   CHECK(around.length() < 7);
   const auto second =
-      space_with({Polygon{{{2.6, 1.9}}}, Polygon{{{3, 2.8}}}, Polygon{{{9.8, 3.3}}}}, 0.1);
+      plane_with({Polygon{{{2.6, 1.9}}}, Polygon{{{3, 2.8}}}, Polygon{{{9.8, 3.3}}}}, 0.1);
   const std::vector<Point> there_and_back{{1, 3}, {14.9, 3.9}, {2.7, 1.9}};
   CHECK(same_class(second, taut(second, there_and_back), Curve::polyline(there_and_back)));
 }
 
 TEST_CASE("a large circle may bend a string twice, one within another not at all") {
-  const auto discs = space_with({Disc{{10, 5.9}, 0.5}, Disc{{10, 6.3}, 0.8}}, 0.01);
+  const auto discs = plane_with({Disc{{10, 5.9}, 0.5}, Disc{{10, 6.3}, 0.8}}, 0.01);
   const Curve over = taut(discs, {{16, 15}, {13, 2}, {5, 10}});
   CHECK(test::largest_corner(over) < 1e-6);
   CHECK(over.length() < 20);
-  const auto rim = space_with({Disc{{7, 6}, 1}, Disc{{7, 7}, 0}, Disc{{7, 6.2}, 0.5}}, 0.3);
+  const auto rim = plane_with({Disc{{7, 6}, 1}, Disc{{7, 7}, 0}, Disc{{7, 6.2}, 0.5}}, 0.3);
   const Curve past = taut(rim, {{12, 7}, {6, 8}, {5.5, 5}});
   CHECK(test::largest_corner(past) < 1e-6);
   const auto corner =
-      space_with({Polygon{{{9.44, 2.63}, {8.94, 2.97}, {8.31, 2.83}, {8.58, 2.18}, {9.28, 2.17}}},
+      plane_with({Polygon{{{9.44, 2.63}, {8.94, 2.97}, {8.31, 2.83}, {8.58, 2.18}, {9.28, 2.17}}},
                   Disc{{9, 2.6}, 0.5}},
                  0.1);
   CHECK(test::largest_corner(taut(corner, {{2, 5}, {10, 0}, {14, 8}})) < 1e-6);
 }
 
 TEST_CASE("for a point a string along a wall holds at all its corners") {
-  const auto square = space_with({Polygon{{{6.5, 12.5}, {8, 12.5}, {8, 14}, {6.5, 14}}}}, 0);
+  const auto square = plane_with({Polygon{{{6.5, 12.5}, {8, 12.5}, {8, 14}, {6.5, 14}}}}, 0);
   std::vector<Point> route{{8, 12}, {6, 12}, {6, 16}, {6.5, 16}, {8, 15}};
   const double shortest = std::hypot(1.5, 0.5) + 1.5 + std::hypot(1.5, 1);
   CHECK(taut(square, route).length() == Approx(shortest));
@@ -263,7 +263,7 @@ TEST_CASE("routes that no search makes keep their class: loops, long legs, latti
         obstacles.push_back(Polygon{{p}});
       }
     }
-    const auto space = space_with(obstacles, lattice ? 0.3 : random.uniform(0.05, 0.4));
+    const auto space = plane_with(obstacles, lattice ? 0.3 : random.uniform(0.05, 0.4));
     std::vector<Point> route;
     for (int i = 0; i < 400 && route.size() < 12; ++i) {
       const Point p{random.uniform(0, 16), random.uniform(0, 16)};
@@ -285,7 +285,7 @@ TEST_CASE("routes that no search makes keep their class: loops, long legs, latti
 }
 
 TEST_CASE("a string that runs out of time is what it is by then, a cancelled one is none") {
-  const auto space = space_with({Disc{{0, 0}, 1}});
+  const auto space = plane_with({Disc{{0, 0}, 1}});
   const Point route[] = {{-4, 0}, {-4, 6}, {4, 6}, {4, 0}};
   const Curve input = Curve::polyline(route);
   std::stop_source source;
@@ -295,7 +295,7 @@ TEST_CASE("a string that runs out of time is what it is by then, a cancelled one
 }
 
 TEST_CASE("a route that is not free is refused with its segment, and so are curves") {
-  const auto space = space_with({Disc{{0, 0}, 1}});
+  const auto space = plane_with({Disc{{0, 0}, 1}});
   const Point through[] = {{-4, 0}, {-4, 1}, {4, 1}};
   const auto refused = TautString{}.smooth(space, Curve::polyline(through), {});
   REQUIRE_FALSE(refused);

@@ -20,8 +20,6 @@ static_assert(GridSpace<CellSpace>);
 static_assert(CornerSpace<CellSpace>);
 static_assert(FeatureSpace<CellSpace>);
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 TEST_CASE("centres lie exactly halfway between corners, and neighbours share their corners") {
   OccupancyGrid chessboard = OccupancyGrid::blocked(61, 45).value();
   for (int y = 0; y < 45; ++y) {
@@ -100,11 +98,11 @@ TEST_CASE("options that make no space are refused") {
     return !space && space.error().code == PlanError::invalid_option &&
            !space.error().detail.empty();
   };
-  for (const double resolution : {0.0, -1.0, -0.0, nan, infinity, -infinity, 1e-100, 1e300}) {
+  for (const double resolution : {0.0, -1.0, -0.0, quiet_nan, infinity, -infinity, 1e-100, 1e300}) {
     CAPTURE(resolution);
     CHECK(refused({.resolution = resolution}));
   }
-  for (const double bad : {nan, infinity, -infinity}) {
+  for (const double bad : {quiet_nan, infinity, -infinity}) {
     CAPTURE(bad);
     CHECK(refused({.origin = {bad, 0}}));
     CHECK(refused({.origin = {0, bad}}));

@@ -19,8 +19,6 @@ namespace {
 using namespace tutavia;
 using namespace tutavia::test;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 TEST_CASE("every step between free cells is a free segment, under every movement rule") {
   std::size_t checked = 0;
   on_random_cells({.seed = 9, .rounds = scaled(300)}, [&](const CellTrial& t) {
@@ -95,7 +93,7 @@ TEST_CASE("a point outside the grid has no links") {
   CHECK(space.links({1.5, 3.1}).empty());
   CHECK(space.links({1e300, -1e300}).empty());
   CHECK(space.links({2147483647.5, 1.5}).empty());
-  CHECK(space.links({nan, 1.5}).empty());
+  CHECK(space.links({quiet_nan, 1.5}).empty());
   CHECK(space.links({infinity, 1.5}).empty());
 }
 

@@ -19,8 +19,6 @@ namespace {
 using namespace tutavia;
 using namespace tutavia::test;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 TEST_CASE("at radius 0 a point may touch blocked cells, slide along them and slip between two") {
   const auto space = CellSpace::build(draw({"......",  //
                                             "..#...",  //
@@ -47,7 +45,7 @@ TEST_CASE("at radius 0 a point may touch blocked cells, slide along them and sli
 
   CHECK(space.is_free({6, 5}));
   CHECK_FALSE(space.is_free({6, std::nextafter(5.0, 6.0)}));
-  CHECK_FALSE(space.is_free({nan, 1}));
+  CHECK_FALSE(space.is_free({quiet_nan, 1}));
 }
 
 TEST_CASE("at radius 0 a corner is closed only where all of its four cells are blocked") {

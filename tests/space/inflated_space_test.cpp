@@ -15,7 +15,7 @@ using namespace tutavia;
 
 static_assert(CornerSpace<InflatedSpace>);
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double inf = std::numeric_limits<double>::infinity();
 
 TEST_CASE("clearance is the signed distance that brute force finds") {
   const std::uint64_t seed = 1;
@@ -102,22 +102,22 @@ TEST_CASE("nearest is capped, and names the obstacle and the edge") {
            .safety_radius = 1,
            .obstacles = {Disc{{90, 90}, 2}, Polygon{{{10, 10}, {20, 10}, {20, 20}, {10, 20}}}}})
           .value();
-  const NearestObstacle found = space.nearest(Segment{{25, 12}, {25, 30}}, infinity);
+  const NearestObstacle found = space.nearest(Segment{{25, 12}, {25, 30}}, inf);
   CHECK(found.distance == 5);
   CHECK(found.obstacle == 1);
   CHECK(found.edge == 1);
   CHECK(Point(25, 12 + 18 * found.parameter).y() <= 20);
   CHECK(space.nearest(Segment{{25, 12}, {25, 30}}, 4).obstacle == NearestObstacle::none);
   CHECK(space.nearest(Segment{{25, 12}, {25, 30}}, 4).distance == 4);
-  CHECK(space.nearest(Segment{{90, 85}, {90, 85}}, infinity).distance == 3);
-  CHECK(space.nearest(Segment{{90, 90}, {90, 90}}, infinity).distance == -2);
+  CHECK(space.nearest(Segment{{90, 85}, {90, 85}}, inf).distance == 3);
+  CHECK(space.nearest(Segment{{90, 90}, {90, 90}}, inf).distance == -2);
 }
 
 TEST_CASE("without obstacles everything within the bounds is free and infinitely clear") {
   const auto space = InflatedSpace::build({.bounds = {{0, 0}, {1, 1}}, .safety_radius = 5}).value();
   CHECK(space.is_free({0, 1}));
   CHECK_FALSE(space.is_free({0, 1.0000001}));
-  CHECK(space.clearance({0.5, 0.5}) == infinity);
+  CHECK(space.clearance({0.5, 0.5}) == inf);
 }
 
 TEST_CASE("convex corners are found, reflex ones and those of holes are told apart") {

@@ -18,7 +18,7 @@
 
 namespace tutavia::test {
 
-namespace detail {
+namespace data_files {
 
 inline nlohmann::json read_data(const std::string& name) {
   std::ifstream file(std::string(TUTAVIA_TEST_DATA) + "/" + name);
@@ -38,7 +38,7 @@ inline OccupancyGrid to_grid(const nlohmann::json& rows) {
   return grid;
 }
 
-}  // namespace detail
+}  // namespace data_files
 
 /// A grid with a query.
 struct PaperTask {
@@ -49,10 +49,10 @@ struct PaperTask {
 /// The grids of one set of the SSA-A* paper ("cluster_20" ... "random_50"): from cell (0, 0) to the
 /// last cell; corners may be cut.
 inline std::vector<PaperTask> ssa_tasks(const std::string& set) {
-  const auto sets = detail::read_data("ssa_grids.json");
+  const auto sets = data_files::read_data("ssa_grids.json");
   std::vector<PaperTask> tasks;
   for (const auto& rows : sets.at(set)) {
-    OccupancyGrid grid = detail::to_grid(rows);
+    OccupancyGrid grid = data_files::to_grid(rows);
     const Cell last{grid.width() - 1, grid.height() - 1};
     auto space = CellSpace::build(std::move(grid), {.movement = MovementRule::allow}).value();
     const Query query{.start = space.frame().point({0, 0}), .goal = space.frame().point(last)};
@@ -80,21 +80,21 @@ struct ReaMap {
 };
 
 inline std::vector<ReaMap> rea_maps() {
-  const auto all = detail::read_data("rea_maps.json");
+  const auto all = data_files::read_data("rea_maps.json");
   const auto cell = [](const nlohmann::json& xy) { return Cell{xy.at(0), xy.at(1)}; };
   std::vector<ReaMap> maps;
   for (const auto& [name, map] : all.items()) {
     maps.push_back(
-        {name, detail::to_grid(map.at("rows")), cell(map.at("start")), cell(map.at("goal"))});
+        {name, data_files::to_grid(map.at("rows")), cell(map.at("start")), cell(map.at("goal"))});
   }
   return maps;
 }
 
 /// The substitute for the raster of the JPS_Theta* paper: 20 rows of 30 cells.
 inline PaperTask jps_theta_task() {
-  const auto map = detail::read_data("jps_theta_map.json").at("jps_theta_20x30");
+  const auto map = data_files::read_data("jps_theta_map.json").at("jps_theta_20x30");
   const auto cell = [&](const char* key) { return Cell{map.at(key).at(0), map.at(key).at(1)}; };
-  auto space = CellSpace::build(detail::to_grid(map.at("rows"))).value();
+  auto space = CellSpace::build(data_files::to_grid(map.at("rows"))).value();
   const Query query{.start = space.frame().point(cell("start")),
                     .goal = space.frame().point(cell("goal"))};
   return {std::move(space), query};

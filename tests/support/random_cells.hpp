@@ -23,6 +23,7 @@
 namespace tutavia::test {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double quiet_nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A map from rows of text, the topmost first: '#' is blocked.
 inline OccupancyGrid draw(const std::vector<std::string>& rows) {

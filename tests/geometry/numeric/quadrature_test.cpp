@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <numbers>
 
 #include "support/catch.hpp"
 #include "tutavia/core/random.hpp"
@@ -10,7 +11,7 @@ namespace {
 using namespace tutavia;
 using namespace tutavia::detail;
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 TEST_CASE("eight nodes integrate polynomials exactly up to degree 15 and not beyond",
           "[geometry]") {

@@ -18,7 +18,7 @@ namespace {
 using namespace tutavia;
 using namespace tutavia::detail;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST_CASE("an outer tangent of equal circles runs beside their centres, an inner one between") {
   const auto outer = tangent_line({{0, 0}, 1, 1}, {{10, 0}, 1, 1}).value();

@@ -12,9 +12,9 @@ namespace {
 using namespace tutavia;
 using namespace tutavia::detail;
 
-const std::string image = "P2\n3 2\n255\n0 205 254\n255 100 89\n";
+const std::string plain_image = "P2\n3 2\n255\n0 205 254\n255 100 89\n";
 
-std::string bytes(const std::vector<int>& values) {
+std::string as_bytes(const std::vector<int>& values) {
   std::string text;
   for (const int value : values) text += static_cast<char>(value);
   return text;
@@ -28,7 +28,7 @@ std::string pgm_complaint(const std::string& pgm) {
 }
 
 TEST_CASE("a plain PGM is read row by row from the top") {
-  const auto pgm = detail::parse_pgm(image);
+  const auto pgm = detail::parse_pgm(plain_image);
   REQUIRE(pgm);
   CHECK(pgm->width == 3);
   CHECK(pgm->height == 2);
@@ -42,22 +42,23 @@ TEST_CASE("comments and blanks of any kind may stand between the numbers of a pl
       "# bottom 1 2 3\n255 100#\n89#end";
   const auto pgm = detail::parse_pgm(text);
   if (!pgm) FAIL(pgm.error().detail);
-  CHECK(pgm->pixels == detail::parse_pgm(image)->pixels);
+  CHECK(pgm->pixels == detail::parse_pgm(plain_image)->pixels);
   CHECK(detail::parse_pgm("P2 # of an old Mac\r1 1 9 5")->pixels == std::vector<std::uint16_t>{5});
 }
 
 TEST_CASE("a raw PGM has its pixels right behind one blank, whatever their bytes mean") {
-  const auto pgm = detail::parse_pgm("P5\n# two rows\n2 2\n255\n" + bytes({'#', '\n', ' ', 255}));
+  const auto pgm =
+      detail::parse_pgm("P5\n# two rows\n2 2\n255\n" + as_bytes({'#', '\n', ' ', 255}));
   REQUIRE(pgm);
   CHECK(pgm->pixels == std::vector<std::uint16_t>{35, 10, 32, 255});
-  CHECK(detail::parse_pgm("P5 1 1 9 " + bytes({9}))->pixels == std::vector<std::uint16_t>{9});
+  CHECK(detail::parse_pgm("P5 1 1 9 " + as_bytes({9}))->pixels == std::vector<std::uint16_t>{9});
 }
 
 TEST_CASE("a raw PGM of more than 8 bits has two bytes per pixel, the high one first") {
-  const auto pgm = detail::parse_pgm("P5 3 1 65535\n" + bytes({1, 2, 0, 255, 255, 0}));
+  const auto pgm = detail::parse_pgm("P5 3 1 65535\n" + as_bytes({1, 2, 0, 255, 255, 0}));
   REQUIRE(pgm);
   CHECK(pgm->pixels == std::vector<std::uint16_t>{258, 255, 65280});
-  CHECK(detail::parse_pgm("P5 1 1 256 " + bytes({1, 0}))->pixels ==
+  CHECK(detail::parse_pgm("P5 1 1 256 " + as_bytes({1, 0}))->pixels ==
         std::vector<std::uint16_t>{256});
   CHECK(detail::parse_pgm("P2 1 1 65535 65535")->pixels == std::vector<std::uint16_t>{65535});
 }
@@ -91,15 +92,15 @@ TEST_CASE("pixels that are missing, too many or too large are reported with the 
   CHECK(pgm_complaint("P2 2 1 15 7 -1").find("PGM byte 12: ") == 0);
   CHECK(pgm_complaint("P2 2 1 15 7 1 0") ==
         "PGM byte 14: expected nothing after the last pixel, found \"0\"");
-  CHECK(pgm_complaint("P5 2 1 15 " + bytes({7})) ==
+  CHECK(pgm_complaint("P5 2 1 15 " + as_bytes({7})) ==
         "PGM byte 11: expected a pixel from 0 to 15, " + end);
-  CHECK(pgm_complaint("P5 2 1 15 " + bytes({7, 16})) ==
+  CHECK(pgm_complaint("P5 2 1 15 " + as_bytes({7, 16})) ==
         "PGM byte 11: expected a pixel from 0 to 15, found 16");
-  CHECK(pgm_complaint("P5 2 1 15\r\n" + bytes({7, 8})) ==
+  CHECK(pgm_complaint("P5 2 1 15\r\n" + as_bytes({7, 8})) ==
         "PGM byte 12: expected nothing after the last pixel, found \"?\"");
-  CHECK(pgm_complaint("P5 1 1 300 " + bytes({1})) ==
+  CHECK(pgm_complaint("P5 1 1 300 " + as_bytes({1})) ==
         "PGM byte 12: expected a pixel from 0 to 300, " + end);
-  CHECK(pgm_complaint("P5 1 1 300 " + bytes({1, 45})) ==
+  CHECK(pgm_complaint("P5 1 1 300 " + as_bytes({1, 45})) ==
         "PGM byte 11: expected a pixel from 0 to 300, found 301");
 }
 

@@ -13,12 +13,12 @@ using namespace tutavia;
 using namespace tutavia::detail;
 using detail::YamlSubset;
 
-const std::string settings =
+const std::string all_settings =
     "image: a.pgm\nresolution: 0.05\norigin: [1.5, -2, 0]\n"
     "occupied_thresh: 0.65\nfree_thresh: 0.196\nnegate: 0\n";
 
 /// What is said when a text is read that is refused.
-std::string complaint(const std::string& yaml) {
+std::string subset_complaint(const std::string& yaml) {
   const auto read = detail::parse_or_fail([&] { return YamlSubset(yaml); });
   REQUIRE_FALSE(read);
   CHECK(read.error().code == PlanError::invalid_input);
@@ -103,17 +103,24 @@ const std::vector<std::pair<std::string, std::string>> refused_lines = {
 TEST_CASE("YAML beyond one value or list per key is refused with its line") {
   for (const auto& [line, expected] : refused_lines) {
     CAPTURE(line);
-    CHECK(complaint(settings + line + "\n").find("line 7: expected " + expected + ", found \"") ==
-          0);
+    CHECK(subset_complaint(all_settings + line + "\n")
+              .find("line 7: expected " + expected + ", found \"") == 0);
   }
-  CHECK(complaint(settings + "a:\n  b: 1\n").find("line 8: expected key: value, not i") == 0);
-  CHECK(complaint(settings + "a: b\n  c\n").find("line 8: expected key: value, not ind") == 0);
-  CHECK(complaint(settings + "a: b\n- c\n").find("line 8: expected key: value, found") == 0);
-  CHECK(complaint(settings + "a:\n- b: 1\n").find("line 8: expected a plain value") == 0);
-  CHECK(complaint(settings + "a:\n-\n").find("line 8: expected a value, found \"-\"") == 0);
-  CHECK(complaint(settings + "a:\n- 1\n  - 2\n") ==
+  CHECK(
+      subset_complaint(all_settings + "a:\n  b: 1\n").find("line 8: expected key: value, not i") ==
+      0);
+  CHECK(
+      subset_complaint(all_settings + "a: b\n  c\n").find("line 8: expected key: value, not ind") ==
+      0);
+  CHECK(subset_complaint(all_settings + "a: b\n- c\n").find("line 8: expected key: value, found") ==
+        0);
+  CHECK(subset_complaint(all_settings + "a:\n- b: 1\n").find("line 8: expected a plain value") ==
+        0);
+  CHECK(subset_complaint(all_settings + "a:\n-\n").find("line 8: expected a value, found \"-\"") ==
+        0);
+  CHECK(subset_complaint(all_settings + "a:\n- 1\n  - 2\n") ==
         "line 9: expected list items one below the other, found \"- 2\"");
-  CHECK(complaint("---\n---\n" + settings).find("line 2: expected key: value") == 0);
+  CHECK(subset_complaint("---\n---\n" + all_settings).find("line 2: expected key: value") == 0);
 }
 
 }  // namespace

@@ -21,10 +21,10 @@ using Index = ConstrainedDelaunay::Index;
 struct Ordered {
   bool operator()(Cell a, Cell b) const { return std::pair{a.x, a.y} < std::pair{b.x, b.y}; }
 };
-using Points = std::map<Cell, Index, Ordered>;
+using IndexOfPoint = std::map<Cell, Index, Ordered>;
 
 /// Triangles turn left, fill the rectangle, agree on their sides, and have these points as corners.
-void check_triangles(const ConstrainedDelaunay& triangles, const Points& points,
+void check_triangles(const ConstrainedDelaunay& triangles, const IndexOfPoint& points,
                      std::int64_t twice_area) {
   std::set<Cell, Ordered> corners;
   std::int64_t sum = 0;
@@ -77,7 +77,7 @@ TEST_CASE("triangles of random lattice points are Delaunay, with many points in 
     INFO("seed " << seed << ", round " << round);
     const int side = 2 + static_cast<int>(random.below(12));
     ConstrainedDelaunay triangles({-1, -1}, {side, side});
-    Points points;
+    IndexOfPoint points;
     for (int i = 0; i < side * side; ++i) {
       const Cell p{static_cast<int>(random.below(static_cast<std::uint32_t>(side))),
                    static_cast<int>(random.below(static_cast<std::uint32_t>(side)))};
@@ -98,7 +98,7 @@ TEST_CASE("fixed edges are there, and all others are Delaunay") {
     INFO("seed " << seed << ", round " << round);
     const int side = 12;
     ConstrainedDelaunay triangles({-1, -1}, {side, side});
-    Points points;
+    IndexOfPoint points;
     const auto any = [&] {
       return Cell{static_cast<int>(random.below(side)), static_cast<int>(random.below(side))};
     };
@@ -146,7 +146,7 @@ TEST_CASE("fixed edges are there, and all others are Delaunay") {
 TEST_CASE("predicates hold at the corners of the largest rectangle") {
   const int side = ConstrainedDelaunay::max_side;
   ConstrainedDelaunay triangles({0, 0}, {side, side});
-  Points points;
+  IndexOfPoint points;
   for (const Cell p : {Cell{1, 1}, Cell{side - 1, 1}, Cell{side - 1, side - 1}, Cell{1, side - 1},
                        Cell{side / 2 + 1, side / 2}, Cell{1, 2}, Cell{side - 1, side - 2}}) {
     points.emplace(p, triangles.insert(p));

@@ -14,7 +14,7 @@ namespace {
 using namespace tutavia;
 using namespace tutavia::detail;
 
-InflatedSpace space_with(std::vector<Obstacle> obstacles) {
+InflatedSpace field_with(std::vector<Obstacle> obstacles) {
   return InflatedSpace::build({.bounds = {{-50, -50}, {50, 50}},
                                .safety_radius = 0.5,
                                .obstacles = std::move(obstacles)})
@@ -33,15 +33,15 @@ double largest_jump(const Curve& curve) {
   return largest;
 }
 
-const std::vector<Point> zigzag{{0, 0}, {6, 0}, {8, 5}, {14, 5}, {14, 0}};
+const std::vector<Point> hook{{0, 0}, {6, 0}, {8, 5}, {14, 5}, {14, 0}};
 
 TEST_CASE("in the open the spline has continuous curvature, and helpers hold it to the legs") {
-  const auto space = space_with({});
+  const auto space = field_with({});
   double shortest = 0;
   for (const double reach : {2.0, 1.0, 0.5, 0.1}) {
-    const Curve curve = CornerSpline(zigzag, reach).prove(space, {}).value();
-    CHECK(curve.start() == zigzag.front());
-    CHECK(curve.end() == zigzag.back());
+    const Curve curve = CornerSpline(hook, reach).prove(space, {}).value();
+    CHECK(curve.start() == hook.front());
+    CHECK(curve.end() == hook.back());
     CHECK(test::largest_corner(curve) < 1e-9);
     CHECK(largest_jump(curve) < 1e-9 / reach);
     CHECK(curve.length() > shortest);  // the tighter, the longer
@@ -49,10 +49,9 @@ TEST_CASE("in the open the spline has continuous curvature, and helpers hold it 
     CHECK(curve.pieces().front().holds<Segment>());
     CHECK(curve.pieces().back().holds<Segment>());
   }
-  CHECK(shortest < Curve::polyline(zigzag).length());
-  const Curve free =
-      CornerSpline(zigzag, CornerSpline::no_auxiliary_points).prove(space, {}).value();
-  CHECK(free.length() < CornerSpline(zigzag, 2).prove(space, {}).value().length());
+  CHECK(shortest < Curve::polyline(hook).length());
+  const Curve free = CornerSpline(hook, CornerSpline::no_auxiliary_points).prove(space, {}).value();
+  CHECK(free.length() < CornerSpline(hook, 2).prove(space, {}).value().length());
   CHECK(free.pieces().size() == 2);  // five control points
   CHECK(largest_jump(free) < 1e-9);
 }
@@ -60,17 +59,17 @@ TEST_CASE("in the open the spline has continuous curvature, and helpers hold it 
 TEST_CASE("only corners that obstacles ask for are drawn tighter, down to the corner itself") {
   const std::vector<Point> path{{0, 0}, {10, 0}, {10, 10}, {20, 10}};
   // Close to the inner side of the first corner; the second has all the room it wants.
-  const auto near = space_with({Disc{{9.35, 0.65}, 0.1}});
+  const auto near = field_with({Disc{{9.35, 0.65}, 0.1}});
   const Curve tight = CornerSpline(path, 3).prove(near, {}).value();
   CHECK(certify(near, tight).status == ProofStatus::proved);
   CHECK(test::largest_corner(tight) < 1e-9);
-  const Curve open = CornerSpline(path, 3).prove(space_with({}), {}).value();
+  const Curve open = CornerSpline(path, 3).prove(field_with({}), {}).value();
   CHECK(tight.length() > open.length());
   CHECK(tight.nearest({10, 10}).distance == Approx(open.nearest({10, 10}).distance));
   CHECK(tight.nearest({10, 0}).distance < 0.5 * open.nearest({10, 0}).distance);
 
   // Nothing fits: the corner stays, and both legs meet in it.
-  const auto touching = space_with({Disc{{9.5 - 1e-9, 0.5 + 1e-9}, 0}});
+  const auto touching = field_with({Disc{{9.5 - 1e-9, 0.5 + 1e-9}, 0}});
   const Curve corner = CornerSpline(path, 3).prove(touching, {}).value();
   CHECK(corner.nearest({10, 0}).distance == 0);
   CHECK(test::largest_corner(corner) > 1.5);
@@ -80,7 +79,7 @@ TEST_CASE("only corners that obstacles ask for are drawn tighter, down to the co
 TEST_CASE("a spline that fits nowhere is the polyline") {
   const std::vector<Point> path{{0, 0}, {10, 0}, {10, 10}};
   const double side = 9.5 - 1e-9;
-  const auto touching = space_with({Polygon{{{-5, 10 - side}, {side, 10 - side}, {side, 30}}}});
+  const auto touching = field_with({Polygon{{{-5, 10 - side}, {side, 10 - side}, {side, 30}}}});
   for (const double reach : {1.0, CornerSpline::no_auxiliary_points}) {
     const Curve curve = CornerSpline(path, reach).prove(touching, {}).value();
     CHECK(waypoints(curve) == path);
@@ -88,7 +87,7 @@ TEST_CASE("a spline that fits nowhere is the polyline") {
 }
 
 TEST_CASE("few, equal, collinear and returning waypoints do no harm") {
-  const auto space = space_with({});
+  const auto space = field_with({});
   for (const double reach : {1.0, CornerSpline::no_auxiliary_points}) {
     CHECK(CornerSpline({{1, 2}}, reach).prove(space, {}).value().length() == 0);
     CHECK(CornerSpline({{1, 2}, {1, 2}}, reach).prove(space, {}).value().length() == 0);

@@ -20,8 +20,10 @@ namespace tutavia::detail {
 inline void start_symbol(SvgWriter& svg, const Point& p) {
   svg.circle(p, 7, "fill=\"#ffffff\" stroke=\"#222b33\" stroke-width=\"2.5\"");
 }
-inline void goal_symbol(SvgWriter& svg, const Point& p, const std::string& colour) {
-  svg.circle(p, 7, "fill=\"" + colour + "\" stroke=\"#ffffff\" stroke-width=\"2\"");
+inline void goal_symbol(SvgWriter& svg, const Point& p, std::string_view colour) {
+  std::string style("fill=\"");
+  style.append(colour).append("\" stroke=\"#ffffff\" stroke-width=\"2\"");
+  svg.circle(p, 7, style);
 }
 inline void cross_symbol(SvgWriter& svg, const Point& p) {
   svg.stroke(std::string("M") + SvgWriter::pair({p.x() - 5, p.y() - 5}) + "l10 10m0 -10l-10 10",
