@@ -41,7 +41,7 @@ struct BSplineSmoother {
   bool prune = true;
 
   /// Errors: `invalid_option` for a reach that is not positive; `invalid_input` for a curve that is
-  /// not a polyline or not free; those of the budget.
+  /// not free or not of segments and arcs; those of the budget.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (!(reach > 0)) return fail(PlanError::invalid_option, "reach must be positive");

@@ -65,15 +65,35 @@ struct DeltaSmoother {
   double min_exterior_angle = 20 * std::numbers::pi / 180;
   Join join = Join::tangent;
 
+  /// Arcs of the input count as tangents around them. If no shorter curve is found, such an input
+  /// is returned as it is.
+  ///
   /// Errors: `invalid_option` for an option that is negative or NaN (the growth step must be
-  /// positive); `invalid_input` for a curve that is not a polyline or not free; those of the
-  /// budget.
+  /// positive); `invalid_input` for a curve that is not free or not of segments and arcs; those of
+  /// the budget.
   template <CornerSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (auto valid = check(); !valid) return std::move(valid).unexpected();
     const auto nodes = detail::free_nodes(space, input, budget, "the delta smoother");
     if (!nodes) return Unexpected{nodes.error()};
-    auto chain = lines_and_arcs(space, *nodes, budget);
+    if (detail::is_polyline(input)) return smooth_polyline(space, input, *nodes, budget);
+    auto result = smooth_polyline(space, Curve::polyline(*nodes), *nodes, budget);
+    if (result && result->length() > input.length()) return input;
+    return result;
+  }
+
+ private:
+  /// Lines and arcs, and the polyline of their control points. Its legs are proved.
+  struct Chain {
+    Curve curve;
+    std::vector<detail::ArcVertex> polyline;
+  };
+
+  template <CornerSpace S>
+  Expected<Curve, Failure> smooth_polyline(const S& space, const Curve& input,
+                                           const std::vector<Point>& nodes,
+                                           const Budget& budget) const {
+    auto chain = lines_and_arcs(space, nodes, budget);
     if (!chain) return std::move(chain).unexpected();
     if (join == Join::paper) {
       if (chain->curve.length() <= input.length()) return std::move(chain->curve);
@@ -83,13 +103,6 @@ struct DeltaSmoother {
     if (!result || result->length() <= input.length()) return result;
     return rounded_shortcuts(space, input, budget);
   }
-
- private:
-  /// Lines and arcs, and the polyline of their control points. Its legs are proved.
-  struct Chain {
-    Curve curve;
-    std::vector<detail::ArcVertex> polyline;
-  };
 
   template <CornerSpace S>
   Expected<Chain, Failure> lines_and_arcs(const S& space, const std::vector<Point>& nodes,

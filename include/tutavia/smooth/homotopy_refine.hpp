@@ -24,7 +24,7 @@ namespace tutavia {
 /// graph, bounded by the curve's own length.
 ///
 /// Guarantees: the ends are exact; the result is the input or a proved shorter path. The result is
-/// the input if the search runs out of time or expansions, and at safety radius 0.
+/// the input if the search runs out of time or expansions.
 ///
 /// Example: examples/smoothers.cpp.
 struct HomotopyRefine {
@@ -39,7 +39,7 @@ struct HomotopyRefine {
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (const auto free = detail::check_free(space, input, budget); !free)
       return Unexpected{free.error()};
-    if (input.empty() || !(space.safety_radius() > 0)) return input;
+    if (input.empty()) return input;
     Query query{.start = input.start(), .goal = input.end(), .budget = budget};
     query.budget.max_expansions = std::min(budget.max_expansions, max_expansions);
     TangentGraph::Scratch scratch;

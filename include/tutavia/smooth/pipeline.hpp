@@ -30,9 +30,9 @@ concept SmoothableSpace = (Smoother<Stages, S> && ...);
 ///
 ///     Planner planner{ThetaStar{}, Pipeline{TautString{}, BezierSmoother{.trim = 0.2}}};
 ///
-/// Fails as soon as one of them fails; smoothers that take only polylines must come first. The
-/// result keeps every bound that the last smoother keeps. Its length is bounded by the product of
-/// all bounds.
+/// Fails as soon as one of them fails; smoothers that take only segments and arcs must come first.
+/// The result keeps every bound that the last smoother keeps. Its length is bounded by the product
+/// of all bounds.
 ///
 /// Example: examples/smoothers.cpp.
 template <class... Stages>

@@ -46,7 +46,8 @@ struct RedundantNodeRemoval {
 
   Scan scan = Scan::forward;
 
-  /// Errors: `invalid_input` for a curve that is not a polyline or not free; those of the budget.
+  /// Errors: `invalid_input` for a curve that is not free or not of segments and arcs; those of the
+  /// budget.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     auto nodes = detail::free_nodes(space, input, budget, "the removal of redundant nodes");

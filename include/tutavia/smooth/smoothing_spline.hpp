@@ -53,8 +53,8 @@ struct SmoothingSpline {
   std::size_t output_points = 100;
 
   /// Errors: `invalid_option` for a smoothing that is negative or NaN and for less than 2 or more
-  /// than a million output points; `invalid_input` for a curve that is not a polyline or not free;
-  /// those of the budget.
+  /// than a million output points; `invalid_input` for a curve that is not free or not of segments
+  /// and arcs; those of the budget.
   template <ClearanceSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const;
 };

@@ -34,7 +34,7 @@ namespace tutavia {
 struct TautString {
   static constexpr std::string_view name = "taut_string";
 
-  /// Errors: `invalid_input` for a curve that is not a polyline or not free; `cancelled`;
+  /// Errors: `invalid_input` for a curve that is not free or not of segments and arcs; `cancelled`;
   /// `budget_exhausted` while the route is checked.
   template <FeatureSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {

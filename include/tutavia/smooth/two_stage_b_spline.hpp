@@ -49,7 +49,7 @@ struct TwoStageBSpline {
   int passes = 1;  ///< of stage 2
 
   /// Errors: `invalid_option` for an option that is negative, not finite or too large;
-  /// `invalid_input` for a curve that is not a polyline or not free; those of the budget.
+  /// `invalid_input` for a curve that is not free or not of segments and arcs; those of the budget.
   template <ClearanceGridSpace S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
     if (auto valid = check(); !valid) return std::move(valid).unexpected();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/smooth/route/input_checks.hpp"
 
+#include <numbers>
 #include <stop_token>
 #include <vector>
 
@@ -42,17 +43,19 @@ TEST_CASE("a stopped budget stops the check") {
   CHECK(stopped.error().code == PlanError::cancelled);
 }
 
-TEST_CASE("only polylines are taken where polylines are asked for") {
+TEST_CASE("curves of segments and arcs are taken as polylines, others are refused") {
   const auto space = InflatedSpace::build(world).value();
   Curve curve = Curve::polyline(std::vector<Point>{{1, 1}, {9, 1}});
-  CHECK(check_polyline(curve, "shears"));
   CHECK(free_polyline(space, curve, {}, "shears").value() == std::vector<Point>{{1, 1}, {9, 1}});
+  Curve bent = curve;
+  bent.push_back(Arc{{9, 1}, {9, 2}, {9, 1.5}, 0.5, -std::numbers::pi / 2, std::numbers::pi});
+  CHECK(free_polyline(space, bent, {}, "shears").value().size() == 2 + 4 + 1);
+  CHECK(free_nodes(space, bent, {}, "shears").value().size() == 2 + 4 + 1);
   curve.push_back(QuadraticBezier{{Point(9, 1), Point(9, 5), Point(9, 9)}});
-  const auto refused = check_polyline(curve, "shears");
+  const auto refused = free_polyline(space, curve, {}, "shears");
   REQUIRE_FALSE(refused);
   CHECK(refused.error().code == PlanError::invalid_input);
-  CHECK(refused.error().detail == "shears takes polylines only");
-  CHECK(free_polyline(space, curve, {}, "shears").error().detail == refused.error().detail);
+  CHECK(refused.error().detail == "shears takes curves of segments and arcs only");
   CHECK(free_nodes(space, curve, {}, "shears").error().detail == refused.error().detail);
 }
 

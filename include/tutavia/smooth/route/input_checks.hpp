@@ -12,6 +12,7 @@
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/smooth/route/grid_nodes.hpp"
+#include "tutavia/smooth/route/tangent_polyline.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -46,21 +47,31 @@ Expected<Curve, Failure> free_steps(const S& space, const Curve& curve, const Bu
   return curve;
 }
 
-/// Checks that all pieces are straight. Errors: `invalid_input`, which names the smoother.
-inline Expected<void, Failure> check_polyline(const Curve& curve, std::string_view smoother) {
-  const auto is_straight = [](const Piece& p) { return p.holds<Segment>(); };
-  if (std::all_of(curve.pieces().begin(), curve.pieces().end(), is_straight)) return {};
-  return fail(PlanError::invalid_input, std::string(smoother) + " takes polylines only");
+inline bool is_polyline(const Curve& curve) {
+  return std::all_of(curve.pieces().begin(), curve.pieces().end(),
+                     [](const Piece& p) { return p.holds<Segment>(); });
 }
 
-/// The waypoints of a polyline that is proved free. Errors: those of `check_polyline` and
-/// `check_free`.
+/// A polyline instead of a curve of segments and arcs; see tangent_polyline. Errors:
+/// `invalid_input`, which names the smoother, for a curve with other pieces.
+template <FreeSpace S>
+Expected<Curve, Failure> without_arcs(const S& space, const Curve& curve,
+                                      std::string_view smoother) {
+  if (const auto points = tangent_polyline(space, curve)) return Curve::polyline(*points);
+  return fail(PlanError::invalid_input,
+              std::string(smoother).append(" takes curves of segments and arcs only"));
+}
+
+/// The waypoints of a polyline that is proved free; arcs count as tangents around them. Errors:
+/// those of `without_arcs` and `check_free`.
 template <ClearanceSpace S>
 Expected<std::vector<Point>, Failure> free_polyline(const S& space, const Curve& curve,
                                                     const Budget& budget,
                                                     std::string_view smoother) {
-  if (const auto straight = check_polyline(curve, smoother); !straight) {
-    return Unexpected{straight.error()};
+  if (!is_polyline(curve)) {
+    const auto polyline = without_arcs(space, curve, smoother);
+    if (!polyline) return Unexpected{polyline.error()};
+    return free_polyline(space, *polyline, budget, smoother);
   }
   if (const auto free = check_free(space, curve, budget); !free) return Unexpected{free.error()};
   return waypoints(curve);
@@ -70,8 +81,10 @@ Expected<std::vector<Point>, Failure> free_polyline(const S& space, const Curve&
 template <ClearanceSpace S>
 Expected<std::vector<Point>, Failure> free_nodes(const S& space, const Curve& curve,
                                                  const Budget& budget, std::string_view smoother) {
-  if (const auto straight = check_polyline(curve, smoother); !straight) {
-    return Unexpected{straight.error()};
+  if (!is_polyline(curve)) {
+    const auto polyline = without_arcs(space, curve, smoother);
+    if (!polyline) return Unexpected{polyline.error()};
+    return free_nodes(space, *polyline, budget, smoother);
   }
   const auto curve_of_steps = free_steps(space, curve, budget);
   if (!curve_of_steps) return Unexpected{curve_of_steps.error()};

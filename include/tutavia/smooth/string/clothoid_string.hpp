@@ -82,10 +82,8 @@ class ClothoidString {
   }
 
   void give_up(std::size_t i) {
-    const Point& p = bends_[i].core.center;
-    result_ =
-        fail(PlanError::not_proved, "no bend that is gentle enough can be proved around (" +
-                                        std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")");
+    result_ = fail(PlanError::not_proved, "no bend that is gentle enough can be proved around " +
+                                              to_text(bends_[i].core.center));
   }
 
   /// Computes the edges between the circles and the turns around them. Returns false if circles
