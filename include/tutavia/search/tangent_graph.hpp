@@ -19,12 +19,12 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// TangentGraph: the shortest path of a disc among polygons and discs.
+/// TangentGraph: the shortest path of a disc or a point among polygons and discs.
 
 namespace tutavia {
 
-/// The shortest path of a disc among polygons and discs. Exact, except that its circles exceed the
-/// safety radius by a few rounding errors.
+/// The shortest path of a disc or a point among polygons and discs, or among the blocked cells of a
+/// grid. Exact, except that its circles exceed the safety radius by a few rounding errors.
 ///
 /// Such a path consists of straight edges tangent to circles, and of arcs of these circles. The
 /// circles have the safety radius and lie around obstacle vertices; those around discs are larger.
@@ -32,6 +32,15 @@ namespace tutavia {
 /// proved when they are popped. Polygons may have holes, touch, overlap, contain one another or
 /// have no area. A gap of twice the radius, up to the same rounding errors, counts as closed. The
 /// route is smooth and lies in free space. O(m n) edges are generated for n vertices and m
+/// expansions; with prepared tangents, only the proved edges.
+///
+/// At safety radius 0 it is the visibility graph of the vertices (Lozano-Perez and Wesley 1979, "An
+/// algorithm for planning collision-free paths among polyhedral obstacles"). The route is a
+/// polyline that may touch obstacles and pass between two that touch, wherever `segment_free`
+/// allows it. It goes around discs, and around the ends of walls, which may not be touched, at a
+/// few rounding errors.
+///
+/// O(m n) edges are generated for n vertices and m
 /// expansions; with prepared tangents, only the proved edges.
 ///
 /// Source: Pocchiola and Vegter 1996, "The visibility complex" (the graph of tangents); Hart,
@@ -57,11 +66,11 @@ struct TangentGraph {
     return std::make_shared<const TangentVisibilityGraph>(std::move(*map));
   }
 
-  /// Errors: `invalid_option` for a bound that is NaN, for tangents that are not prepared, and at
-  /// safety radius 0, where obstacles may not be touched; those of `check_query`; `unreachable`,
-  /// also if no path is within the bound; `not_proved` if start or goal lies within rounding of the
-  /// safety radius and no path can be proved for that reason; those of the budget. Tangents of
-  /// another space are not detected; `TangentVisibilityGraph::matches` checks for it.
+  /// Errors: `invalid_option` for a bound that is NaN and for tangents that are not prepared; those
+  /// of `check_query`; `unreachable`, also if no path is within the bound; `not_proved` if start or
+  /// goal lies within rounding of the safety radius and no path can be proved for that reason;
+  /// those of the budget. Tangents of another space are not detected;
+  /// `TangentVisibilityGraph::matches` checks for it.
   template <FeatureSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const;
@@ -71,9 +80,6 @@ template <FeatureSpace S, Observer O>
 Expected<Route, Failure> TangentGraph::search(const S& space, const Query& query, Scratch& scratch,
                                               O& observer) const {
   if (std::isnan(bound)) return fail(PlanError::invalid_option, "bound is not a number");
-  if (!(space.safety_radius() > 0)) {
-    return fail(PlanError::invalid_option, "tangent_graph needs a positive safety radius");
-  }
   if (auto valid = check_query(space, query); !valid) return std::move(valid).unexpected();
   Route route;
   if (query.start == query.goal) {

@@ -28,7 +28,9 @@ namespace tutavia {
 /// logarithmic in the number of edges. Immutable: one object serves any number of threads.
 /// `segment_free` and `is_free` decide ties by exact arithmetic, so a point at exactly the safety
 /// radius is free. At radius 0 paths may touch simple polygons and discs, but not obstacles without
-/// an interior or polygons that cross themselves.
+/// an interior or polygons that cross themselves. So a point may pass between two polygons that
+/// touch, along the side that they share, and along a side that lies on the border of the bounds.
+/// On a grid of cells it may not: cells that share a side are one obstacle (CellSpace).
 class InflatedSpace {
  public:
   /// Errors: those of `validate(workspace)`.

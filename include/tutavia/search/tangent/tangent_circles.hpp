@@ -11,6 +11,7 @@
 
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/point.hpp"
+#include "tutavia/geometry/predicates.hpp"
 #include "tutavia/geometry/segment.hpp"
 #include "tutavia/geometry/tangent/tangent_line.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -22,7 +23,9 @@
 namespace tutavia::detail {
 
 /// The circles of a space: of the safety radius around obstacle vertices, larger ones around discs.
-/// Their order depends on their centres and radii alone. For nodes see TangentVisibilityGraph.
+/// Vertices where the outline goes straight on have none. At safety radius 0 a circle is the vertex
+/// itself where a path may touch it, and tiny where it may not (ends of walls). Their order depends
+/// on their centres and radii alone. For nodes see TangentVisibilityGraph.
 class TangentCircles {
  public:
   using Node = std::uint32_t;
@@ -62,7 +65,36 @@ class TangentCircles {
   }
 
  private:
+  /// An obstacle edge, seen from one of its ends.
+  struct End {
+    Point vertex, other;
+    double radius;
+
+    bool is_before(const End& end) const {
+      return std::tuple(vertex.x(), vertex.y(), radius) <
+             std::tuple(end.vertex.x(), end.vertex.y(), end.radius);
+    }
+    Point direction() const {
+      const Point d = other - vertex;
+      const double length = d.norm();
+      return length > 0 ? Point(d / length) : d;
+    }
+  };
+
   static int side(Node node) { return node % 2 == 0 ? 1 : -1; }
+  /// At which radius a path turns around an obstacle vertex or a disc.
+  template <FeatureSpace S>
+  static double turning_radius(const S& space, const Point& center, double radius);
+  /// Whether two edges at a vertex make a straight line, so that no path turns around it.
+  static bool is_straight(const End& a, const End& b) {
+    return orientation(a.other, a.vertex, b.other) == 0 &&
+           (a.other - a.vertex).dot(b.other - b.vertex) < 0;
+  }
+  /// Whether the edges of a circle's vertex tell how paths may touch it. Where a point may pass
+  /// between obstacles that touch at a vertex, they do not.
+  static bool limits_directions(const Circle& circle) {
+    return circle.radius > 0 || circle.last_edge - circle.first_edge <= 2;
+  }
   bool may_touch(const Circle& circle, int side, const Point& between, double radii) const;
 
   std::vector<Circle> circles_;
@@ -70,43 +102,38 @@ class TangentCircles {
 };
 
 template <FeatureSpace S>
+double TangentCircles::turning_radius(const S& space, const Point& center, double radius) {
+  const double passing = passing_radius(space, radius);
+  return passing > 0 || space.is_free(center) ? passing : 4 * space.distance_error_bound();
+}
+
+template <FeatureSpace S>
 TangentCircles::TangentCircles(const S& space) {
-  struct End {
-    Point vertex, direction;
-    double radius;
-  };
   std::vector<End> ends;
   space.for_each_feature(space.bounds().inflated(2 * space.safety_radius()),
                          [&](const Segment& core, double radius) {
-                           const double grown = passing_radius(space, radius);
-                           const Point d = core.b - core.a;
-                           const double length = d.norm();
-                           const Point unit = length > 0 ? Point(d / length) : d;
-                           ends.push_back({core.a, unit, grown});
-                           if (length > 0) ends.push_back({core.b, -unit, grown});
+                           ends.push_back({core.a, core.b, radius});
+                           if (core.a != core.b) ends.push_back({core.b, core.a, radius});
                          });
-  const auto before = [](const End& a, const End& b) {
-    if (a.vertex.x() != b.vertex.x()) return a.vertex.x() < b.vertex.x();
-    if (a.vertex.y() != b.vertex.y()) return a.vertex.y() < b.vertex.y();
-    return a.radius < b.radius;
-  };
-  const auto sorts_before = [&](const End& a, const End& b) {
-    if (before(a, b) || before(b, a)) return before(a, b);
-    return heading(a.direction) < heading(b.direction);
-  };
-  std::sort(ends.begin(), ends.end(), sorts_before);
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const bool is_new = i == 0 || before(ends[i - 1], ends[i]);
-    const auto edge = static_cast<std::uint32_t>(edges_.size());
-    if (is_new) circles_.push_back({ends[i].vertex, ends[i].radius, edge, edge});
-    if (is_zero(ends[i].direction)) continue;
-    edges_.push_back(ends[i].direction);
-    circles_.back().last_edge = edge + 1;
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
+    if (a.is_before(b) || b.is_before(a)) return a.is_before(b);
+    return heading(a.direction()) < heading(b.direction());
+  });
+  for (std::size_t i = 0, next = 0; i < ends.size(); i = next) {
+    for (next = i + 1; next < ends.size() && !ends[i].is_before(ends[next]);) ++next;
+    if (next - i == 2 && is_straight(ends[i], ends[i + 1])) continue;
+    const auto first = static_cast<std::uint32_t>(edges_.size());
+    for (std::size_t k = i; k < next; ++k) {
+      if (ends[k].other != ends[k].vertex) edges_.push_back(ends[k].direction());
+    }
+    circles_.push_back({ends[i].vertex, turning_radius(space, ends[i].vertex, ends[i].radius),
+                        first, static_cast<std::uint32_t>(edges_.size())});
   }
 }
 
 inline bool TangentCircles::touches(Node node, const Point& direction) const {
   const Circle& circle = circles_[node / 2];
+  if (!limits_directions(circle)) return true;
   for (std::uint32_t e = circle.first_edge; e < circle.last_edge; ++e) {
     if (side(node) * cross(edges_[e], direction) > 1e-9) return false;
   }
@@ -119,6 +146,7 @@ inline bool TangentCircles::touches(Node node, const Point& direction) const {
 /// whose sine is at most radii / distance.
 inline bool TangentCircles::may_touch(const Circle& circle, int side, const Point& between,
                                       double radii) const {
+  if (!limits_directions(circle)) return true;
   const double limit = 1.25 * radii + 2e-9 * (std::abs(between.x()) + std::abs(between.y()));
   for (std::uint32_t e = circle.first_edge; e < circle.last_edge; ++e) {
     if (side * cross(edges_[e], between) > limit) return false;
