@@ -48,6 +48,7 @@ LEVEL = {unit: level for level, units in enumerate(LAYERS) for unit, _ in units}
 SHARED = {
     "core/parts/bytes.hpp": "prepared tables write themselves to files",
     "core/parts/compiler.hpp": "hints to the compiler in inner loops",
+    "core/parts/number_text.hpp": "numbers in messages",
     "core/parts/parallel.hpp": "loops on several threads",
     "core/parts/remove_redundant.hpp": "searches tidy their paths as a smoother does",
     "core/parts/zeroed_array.hpp": "labels of searches",

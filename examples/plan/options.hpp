@@ -34,7 +34,7 @@ struct Arguments {
   tutavia::MovementRule movement = tutavia::MovementRule::no_cut;
   tutavia::EdgeRule edges = tutavia::EdgeRule::uniform;
   std::optional<int> buffer{};  ///< [cells]
-  std::string search = "astar";
+  std::string search = "auto";
   std::string smoother = "delta";
   std::uint64_t seed = 0;
   std::optional<double> time_limit{};

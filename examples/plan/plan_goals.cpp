@@ -17,6 +17,12 @@ void add_figures(const PlanningSpace& space, const Query& query, Result& result)
   result.optimum = optimum_of(space, query, metrics.length);
 }
 
+/// Adds to a failure of the lattice what would find a path.
+void add_remedy(const PlanningSpace& space, const Query& query, Failure& failure) {
+  if (failure.code != PlanError::unreachable_at_resolution) return;
+  failure.detail += remedy_of(space, query);
+}
+
 /// What the picture shows of a search.
 SearchRecord drawings_of(SearchRecord record, const ShownParts& shown) {
   using Kind = SearchRecord::Event::Kind;
@@ -55,6 +61,7 @@ Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
     group.push_back({search.text, smoother.text, planner.algorithms, goal,
                      planner.plan(query, is_drawn || is_traced ? &record : nullptr)});
     Result& result = group.back();
+    if (!result.plan && !args.compare) add_remedy(task.space, query, result.plan.error());
     if (has_all_figures) add_figures(task.space, query, result);
     if (is_traced) trace.write(task.scene, result, record);
     if (is_drawn) result.drawings = drawings_of(std::move(record), shown);

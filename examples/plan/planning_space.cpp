@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "registry.hpp"
+#include "tutavia/core/parts/number_text.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/optimum.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
@@ -143,10 +144,35 @@ double mean_clearance_of(const PlanningSpace& any_space, const Curve& curve) {
 }
 
 std::optional<double> optimum_of(const PlanningSpace& any_space, const Query& query, double bound) {
+  return std::visit(
+      [&](const auto& space) -> std::optional<double> {
+        Query limited = query;
+        limited.budget = Budget::for_seconds(1);
+        const auto optimum = find_optimum(space, limited, bound);
+        return optimum ? std::optional(*optimum) : std::nullopt;
+      },
+      any_space);
+}
+
+std::string remedy_of(const PlanningSpace& any_space, const Query& query) {
+  const auto optimum = optimum_of(any_space, query, std::numeric_limits<double>::infinity());
+  if (!optimum) return "";
+  std::string remedy = "; --search auto finds a path of " + detail::number_text(*optimum) + " m";
   const auto* space = std::get_if<LatticeSpace>(&any_space);
-  if (space == nullptr) return std::nullopt;
-  const auto optimum = find_optimum(*space, query, bound);
-  return optimum ? std::optional(*optimum) : std::nullopt;
+  if (space == nullptr) return remedy;
+  constexpr std::int64_t most_nodes = 1 << 22;  // about a second
+  LatticeOptions finer{.resolution = space->frame().resolution,
+                       .movement = MovementRule::no_cut,
+                       .max_nodes = most_nodes};
+  for (int halvings = 0; halvings < 5; ++halvings) {
+    finer.resolution = *finer.resolution / 2;
+    const auto lattice = LatticeSpace::build(space->workspace(), finer);
+    if (!lattice) break;
+    if (!Planner(AStar{}).plan(*lattice, query)) continue;
+    return remedy + ", --resolution " + detail::number_text(*finer.resolution) +
+           " one on the lattice";
+  }
+  return remedy;
 }
 
 double taut_length_of(const PlanningSpace& any_space, const Curve& route) {

@@ -52,8 +52,12 @@ ChosenPlanner make_planner(const PlanningSpace& space, const PipelineText& searc
 /// The mean clearance of a curve over its length [m].
 double mean_clearance_of(const PlanningSpace& space, const Curve& curve);
 
-/// The length of the shortest path [m], at most `bound`; only for workspaces.
+/// The length of the shortest path [m], at most `bound`, if it is found within a second.
 std::optional<double> optimum_of(const PlanningSpace& space, const Query& query, double bound);
+
+/// What would find a path where the lattice of a workspace has none, as the end of a message: a
+/// finer resolution, or the exact search. Empty if there is no path.
+std::string remedy_of(const PlanningSpace& space, const Query& query);
 
 /// The length of a route when pulled taut [m]; NaN if that fails.
 double taut_length_of(const PlanningSpace& space, const Curve& route);

@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "tutavia/core/parts/number_text.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/motion/speed_profile.hpp"
@@ -120,6 +121,14 @@ void print_failure(const std::string& goal, const Failure& failure) {
               failure.detail.c_str());
 }
 
+/// Which of several searches found the path, and whether it could not be smoothed.
+std::string remarks_on(const Plan& plan) {
+  std::string remarks;
+  if (!plan.route.found_by.empty()) remarks.append("  by ").append(plan.route.found_by);
+  if (plan.fell_back) remarks.append("  (fell back to the route)");
+  return remarks;
+}
+
 void print_plan(const std::string& goal, const Plan& plan) {
   const PathMetrics &m = plan.metrics, before = measure(plan.route.curve);
   std::printf("%-16s %10.4f %9s %6zu %9s %9.2f %9s %10.4f  %-8s %9.3f%s\n", goal.c_str(), m.length,
@@ -127,19 +136,21 @@ void print_plan(const std::string& goal, const Plan& plan) {
               change(before.turning_points, m.turning_points).c_str(), degrees(m.turning_angle),
               change(before.turning_angle, m.turning_angle).c_str(), m.min_clearance,
               std::string(to_string(plan.certificate.status)).c_str(), milliseconds(plan.stats),
-              plan.fell_back ? "  (fell back to the route)" : "");
+              remarks_on(plan).c_str());
 }
 
 void print_grid(const Scene& scene, const CellSpace& space) {
-  std::printf("%s: %d x %d cells of %g m, safety radius %g m, start %s\n", scene.name.c_str(),
-              space.cells().width(), space.cells().height(), space.frame().resolution,
-              space.safety_radius(), detail::to_text(scene.start).c_str());
+  std::printf("%s: %d x %d cells of %s m, safety radius %s m, start %s\n", scene.name.c_str(),
+              space.cells().width(), space.cells().height(),
+              detail::number_text(space.frame().resolution).c_str(),
+              detail::number_text(space.safety_radius()).c_str(),
+              detail::to_text(scene.start).c_str());
 }
 
 void print_workspace(const std::string& name, const Scene& scene) {
-  std::printf("%s: safety radius %g m, lattice %g m, start %s\n", name.c_str(),
-              scene.workspace.safety_radius, *scene.resolution,
-              detail::to_text(scene.start).c_str());
+  std::printf("%s: safety radius %s m, lattice %s m, start %s\n", name.c_str(),
+              detail::number_text(scene.workspace.safety_radius).c_str(),
+              detail::number_text(*scene.resolution).c_str(), detail::to_text(scene.start).c_str());
   const WorkspaceReport report = inspect(scene.workspace);
   if (report.empty()) return;
   std::fflush(stdout);

@@ -67,10 +67,10 @@ AnySearch<S> erase_jps_plus() {
 template <class... A>
 struct AlgorithmList {};
 using Searches =
-    AlgorithmList<Dijkstra, AStar, WeightedAStar, CanonicalAStar, BidirectionalAStar, PenaltyAStar,
-                  Jps, JpsPlus, ThetaStar, LazyThetaStar, JpsThetaStar, SsaAStar, AntColony,
-                  ReaStar, SbReaStar, ImprovedReaStar, Rrt, RrtStar, RrtConnect, InformedRrtStar,
-                  SafeRrtStar, AnyAngle, TangentGraph>;
+    AlgorithmList<AutoSearch, Dijkstra, AStar, WeightedAStar, CanonicalAStar, BidirectionalAStar,
+                  PenaltyAStar, Jps, JpsPlus, ThetaStar, LazyThetaStar, JpsThetaStar, SsaAStar,
+                  AntColony, ReaStar, SbReaStar, ImprovedReaStar, Rrt, RrtStar, RrtConnect,
+                  InformedRrtStar, SafeRrtStar, AnyAngle, TangentGraph>;
 using Smoothers = AlgorithmList<NoSmoothing, Shortcut, RedundantNodeRemoval, DeltaSmoother,
                                 BezierSmoother, BSplineSmoother, SmoothingSpline, TwoStageBSpline,
                                 TautString, ClothoidSmoother, HomotopyRefine, StringPull>;
@@ -80,7 +80,7 @@ template <class A, class S>
 constexpr bool is_offered() {
   if constexpr (std::same_as<A, JpsPlus>) {
     return GridSpace<S>;
-  } else if constexpr (std::same_as<A, TangentGraph> || std::same_as<A, HomotopyRefine>) {
+  } else if constexpr (std::same_as<A, HomotopyRefine>) {
     return WorkspaceSpace<S>;
   } else {
     return Searcher<A, S> || Smoother<A, S>;
@@ -179,17 +179,13 @@ std::vector<AlgorithmDescription> describe_all(AlgorithmList<A...>) {
 }  // namespace detail
 
 /// Every searcher of the library that works on S, with default options.
-///
-/// TangentGraph requires a workspace. A CellSpace has features, too, but every exposed side of a
-/// blocked cell is one. Each would add a circle to a graph of quadratic size. At safety radius 0,
-/// which is usual for cells, the search is not defined.
 template <FreeSpace S>
 std::vector<AnySearch<S>> all_searches() {
   return detail::make_all(detail::search_offers<S>(detail::Searches{}));
 }
 
-/// Every smoother of the library that works on S, with default options. HomotopyRefine, which uses
-/// TangentGraph, requires a workspace for the same reasons.
+/// Every smoother of the library that works on S, with default options. HomotopyRefine requires a
+/// workspace.
 template <FreeSpace S>
 std::vector<AnySmoother<S>> all_smoothers() {
   return detail::make_all(detail::smoother_offers<S>(detail::Smoothers{}));

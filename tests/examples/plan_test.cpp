@@ -164,7 +164,7 @@ TEST_CASE("without options tutavia-plan plans the maze and writes maze.svg") {
   const Outcome outcome = folder.run("");
   CHECK(outcome.code == 0);
   CHECK(outcome.err.empty());
-  CHECK(contains(outcome.out, "search astar, smoother delta"));
+  CHECK(contains(outcome.out, "search auto, smoother delta"));
   for (const char* goal : {"(14.5, 14.5)", "(7, 14)", "(14, 6)", "(2, 14)"}) {
     CHECK(contains(outcome.out, goal));
   }
@@ -197,13 +197,13 @@ TEST_CASE("lists of algorithms run in every combination, comparison runs them al
   CHECK(nlohmann::json::parse(read(folder / "r.json"))["results"].size() == 4);
   const Outcome names = folder.run("--list");
   CHECK(names.code == 0);
-  CHECK(contains(names.out, "search: dijkstra astar"));
+  CHECK(contains(names.out, "search: auto dijkstra astar"));
   CHECK(contains(names.out, "smoother: none shortcut "));
   CHECK(contains(names.out, " delta bezier "));
   const Outcome comparison = folder.run("--compare --map array");
   CHECK(comparison.code == 0);
   CHECK(contains(comparison.out, "all searches, smoother delta"));
-  CHECK(contains(comparison.out, "all smoothers, search astar"));
+  CHECK(contains(comparison.out, "all smoothers, search auto"));
 }
 
 TEST_CASE("A+B names a pipeline, whose first smoother is followed by the next") {
@@ -212,7 +212,7 @@ TEST_CASE("A+B names a pipeline, whose first smoother is followed by the next") 
       "--goal 14,6 --json r.json"
       " --smoother none,taut_string,none+taut_string,redundant_node_removal+taut_string+none");
   CHECK(outcome.code == 0);
-  CHECK(contains(outcome.out, "search astar, smoother none+taut_string;"));
+  CHECK(contains(outcome.out, "search auto, smoother none+taut_string;"));
   const auto results = nlohmann::json::parse(read(folder / "r.json"))["results"];
   REQUIRE(results.size() == 4);
   CHECK(results[2]["smoother"] == "none+taut_string");
@@ -270,7 +270,8 @@ TEST_CASE("with --compare all smoothers are set against the taut strings of the 
       for (std::size_t goal = 0; goal < 4; ++goal) {
         const auto& result = results[i + goal];
         const auto& metrics = result["metrics"];
-        CHECK(result["search"] == "astar");
+        CHECK(result["search"] == "auto");
+        CHECK(result["found_by"] == "astar");
         CHECK(result["route"] == results[first + goal]["route"]);
         length += metrics["length"].get<double>();
         curvature = std::max(curvature, metrics["max_curvature"].get<double>());
@@ -324,7 +325,29 @@ TEST_CASE("a goal without a plan gives exit code 1 and stands in the table and t
       "start":[1,1],"goals":[[3,3]],"obstacles":[{"polygon":[[2,0],[2.2,0],[2.2,4],[2,4]]}]})");
   const Outcome unreachable = folder.run("--workspace closed.json");
   CHECK(unreachable.code == 1);
-  CHECK(contains(unreachable.out, "unreachable_at_resolution"));
+  CHECK(contains(unreachable.out, "unreachable: no path among the obstacles"));
+  CHECK(contains(folder.run("--workspace closed.json --search astar").out,
+                 "unreachable_at_resolution: no path on the grid at resolution 0.02 m"));
+}
+
+TEST_CASE("a path that the lattice misses is found by default, and named as the remedy else") {
+  const Folder folder;
+  folder.write("slot.json", R"({"bounds":[0,0,6,4],"safety_radius":0.3,"resolution":0.25,
+      "start":[1,1],"goals":[[5,1]],"obstacles":[
+      {"polygon":[[3,0],[3.2,0],[3.2,1.7],[3,1.7]]},
+      {"polygon":[[3,2.32],[3.2,2.32],[3.2,4],[3,4]]}]})");
+  const Outcome plan = folder.run("--workspace slot.json --json r.json");
+  CHECK(plan.code == 0);
+  CHECK(contains(plan.out, "  by tangent_graph"));
+  const auto json = nlohmann::json::parse(read(folder / "r.json"));
+  CHECK(json["results"][0]["search"] == "auto");
+  CHECK(json["results"][0]["found_by"] == "tangent_graph");
+  CHECK(json["results"][0]["optimum"]["ratio"].get<double>() == Approx(1).epsilon(0.02));
+  const Outcome none = folder.run("--workspace slot.json --search astar");
+  CHECK(none.code == 1);
+  CHECK(contains(none.out, "unreachable_at_resolution"));
+  CHECK(contains(none.out, "--search auto finds a path of 4.4"));
+  CHECK(contains(none.out, " m, --resolution 0.0"));
 }
 
 TEST_CASE("bad usage and bad input give exit code 2 and one line that says what and where") {
@@ -834,8 +857,8 @@ TEST_CASE("the legend calls curves as the user wrote the algorithms, with goal a
     }
   }
   REQUIRE(folder.run("--map array --goal 14,8.4 --goal 10,15.2 --svg p.svg").code == 0);
-  CHECK(contains(read(folder / "p.svg"), ">astar, delta, to (14, 8.4), 1"));
-  CHECK(contains(read(folder / "p.svg"), ">astar, delta, to (10, 15.2), 1"));
+  CHECK(contains(read(folder / "p.svg"), ">auto, delta, to (14, 8.4), 1"));
+  CHECK(contains(read(folder / "p.svg"), ">auto, delta, to (10, 15.2), 1"));
 }
 
 TEST_CASE("a picture without a plan shows what was searched, where to, and why there is none") {

@@ -47,7 +47,7 @@ TEST_CASE("every step between free cells is a free segment, under every movement
 }
 
 TEST_CASE("a point is joined to the cells around it that it reaches by free segments") {
-  std::size_t joined = 0, refused = 0;
+  std::size_t joined = 0, refused = 0, far = 0;
   on_random_cells({.seed = 11, .rounds = scaled(300)}, [&](const CellTrial& t) {
     const Rational limit = squared_radius(t.space);
     for (int i = 0; i < 10; ++i) {
@@ -73,7 +73,17 @@ TEST_CASE("a point is joined to the cells around it that it reaches by free segm
         expected = {{cell, 0}};
         break;
       }
-      bool right = links.size() == expected.size();
+      if (expected.empty()) {  // cells farther away, if any
+        for (const EndpointLink& link : links) {
+          const Cell d = link.cell - *links.centre();
+          const Place centre{4 * link.cell.x + 2, 4 * link.cell.y + 2};
+          CHECK(std::max(std::abs(d.x), std::abs(d.y)) <= 1);
+          CHECK(t.squares.is_free(at, centre, limit));
+        }
+        far += links.size();
+        continue;
+      }
+      bool right = links.size() == expected.size() && !links.centre();
       for (const EndpointLink& link : links) {
         const auto entry = expected.find({link.cell.x, link.cell.y});
         right = right && entry != expected.end() &&
@@ -85,6 +95,7 @@ TEST_CASE("a point is joined to the cells around it that it reaches by free segm
   });
   CHECK(joined > scaled(1000));
   CHECK(refused > scaled(100));
+  CHECK(far > scaled(10));
 }
 
 TEST_CASE("a point outside the grid has no links") {

@@ -175,19 +175,8 @@ class SearcherTrial {
     breaches_.at(breaches_.place() + ": " + text.str());
     if (promise_.ties == Ties::not_proved && failure.code == PlanError::not_proved) return;
     const auto ends = check_query(world.space, query);
-    breaches_.check(!ends
-                        ? failure.code == ends.error().code
-                        : is_no_path(failure.code) || is_off_grid(world.space, query, failure.code),
+    breaches_.check(ends ? is_no_path(failure.code) : failure.code == ends.error().code,
                     "a query without a route fails for a reason that holds");
-  }
-
-  /// Whether the code names an end that is free but not linked to any node.
-  static bool is_off_grid(const S& space, const Query& query, PlanError code) {
-    if constexpr (LinkedSpace<S>) {
-      if (code == PlanError::start_blocked) return space.links(query.start).empty();
-      if (code == PlanError::goal_blocked) return space.links(query.goal).empty();
-    }
-    return false;
   }
 
   void answers_enough(std::size_t found, std::size_t rounds) {

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
+#include "tutavia/core/parts/number_text.hpp"
 #include "tutavia/core/version.hpp"
 
 /// \file
@@ -73,11 +71,10 @@ namespace detail {
 
 inline bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 
-/// "(1.5, -2)": to six significant digits.
+/// "(1.5, -2)"; see number_text.
 inline std::string to_text(const Point& p) {
-  std::array<char, 64> text{};
-  const int length = std::snprintf(text.data(), text.size(), "(%g, %g)", p.x(), p.y());
-  return {text.data(), static_cast<std::size_t>(length)};
+  std::string text = "(";
+  return text.append(number_text(p.x())).append(", ").append(number_text(p.y())).append(")");
 }
 
 /// The larger of the two coordinates' magnitudes.

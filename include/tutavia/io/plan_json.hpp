@@ -114,14 +114,15 @@ inline ResultJson result_head(const ResultHeader& header, std::string_view statu
 
 /// One entry of `results` for a plan. Numbers read back to the same double; infinite ones (the
 /// clearance without obstacles, the curvature of a cusp, an option without a bound) become null, as
-/// do options that are not given. `optimum` is the length of
-/// the shortest path, if known (see find_optimum).
+/// do options that are not given. `optimum` is the length of the shortest path, if known (see
+/// find_optimum). `found_by` is there where several searches took part.
 inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const Plan& plan,
                                              std::optional<double> optimum = std::nullopt) {
   auto json = detail::result_head(header, "success");
   const PathMetrics& m = plan.metrics;
   const Certificate& c = plan.certificate;
   json["fell_back"] = plan.fell_back;
+  if (!plan.route.found_by.empty()) json["found_by"] = plan.route.found_by;
   json["route"] = detail::to_json(plan.route.curve);
   json["curve"] = detail::to_json(plan.curve);
   json["metrics"] = {{"length", m.length},

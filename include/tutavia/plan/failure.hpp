@@ -20,12 +20,13 @@ namespace tutavia {
 
 /// Why there is no plan.
 enum class PlanError {
-  start_blocked,              ///< the start lies in a safety zone or has no free link to the grid
+  start_blocked,              ///< the start lies in an obstacle or its safety zone
   goal_blocked,               ///< the goal does
   start_out_of_bounds,        ///< the start lies outside the workspace
   goal_out_of_bounds,         ///< the goal does
   unreachable,                ///< proved: there is no path
-  unreachable_at_resolution,  ///< no path on the lattice; a finer one may have one
+  unreachable_at_resolution,  ///< no path on the lattice, or no way onto it; a finer one may have
+                              ///< one
   not_proved,                 ///< a path was found, but its safety could not be proved
   budget_exhausted,           ///< the deadline or the limit of expansions was reached
   cancelled,                  ///< stopped on request

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/plan/statistics.hpp"
 
@@ -19,6 +21,8 @@ struct Route {
   /// RiskZone). Planner keeps the smoothed curve out of the zone wherever the route is out of it.
   double risk_width = 0;
   double risk_weight = 0;
+  /// Name of the search that found the route, if several took part (FirstOf, AutoSearch).
+  std::string_view found_by{};
 };
 
 }  // namespace tutavia

@@ -42,9 +42,7 @@ class FlowField {
         return std::move(valid).unexpected();
       }
       const detail::CellLinks links(space.links(goal), space.frame().resolution);
-      if (links.size() == 0) {
-        return fail(PlanError::goal_blocked, "a goal has no link to the grid at this resolution");
-      }
+      if (links.size() == 0) return detail::no_link(false);
       for (const detail::CellLink& link : links) {
         seeds.push_back(link);
         field.ends_.push_back({link, goal});

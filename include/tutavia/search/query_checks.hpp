@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "tutavia/core/budget.hpp"
+#include "tutavia/core/parts/number_text.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/plan/query.hpp"
@@ -29,7 +30,7 @@ inline Failure endpoint_failure(const Point& p, bool is_start, bool is_within_bo
     failure.detail += " is not a pair of finite coordinates";
     return failure;
   }
-  failure.detail += " (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")";
+  failure.detail.append(" ").append(to_text(p));
   if (is_within_bounds) {
     failure.code = is_start ? PlanError::start_blocked : PlanError::goal_blocked;
     failure.detail += " lies in an obstacle or its safety zone";
@@ -42,15 +43,14 @@ inline Failure endpoint_failure(const Point& p, bool is_start, bool is_within_bo
 
 inline void add_clearance(Failure& failure, double clearance, double safety_radius) {
   failure.clearance = clearance;
-  failure.detail += ": its clearance is " + std::to_string(clearance) + " m, " +
-                    std::to_string(safety_radius) + " m needed";
+  failure.detail.append(": its clearance is ").append(number_text(clearance));
+  failure.detail.append(" m, ").append(number_text(safety_radius)).append(" m needed");
 }
 
 inline void add_nearest_safe_point(Failure& failure, const std::optional<Point>& safe) {
   failure.nearest_safe_point = safe;
   if (!safe) return;
-  failure.detail += "; the nearest safe point is (" + std::to_string(safe->x()) + ", " +
-                    std::to_string(safe->y()) + ")";
+  failure.detail.append("; the nearest safe point is ").append(to_text(*safe));
 }
 
 /// Checks that a query may start (or end) at a point. Errors: the point lies out of bounds or is

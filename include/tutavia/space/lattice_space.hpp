@@ -138,7 +138,8 @@ class LatticeSpace {
   const OccupancyGrid& columns() const { return layer_.columns(); }
 
   /// The free nodes within sqrt(2) delta of `p` to which the segment is free. If `p` lies within
-  /// 1e-9 delta of a free node, that node alone. May be empty.
+  /// 1e-9 delta of a free node, that node alone. If there is none, nodes up to 16 spacings away.
+  /// May be empty.
   EndpointLinks links(const Point& p) const {
     if (!bounds().contains(p)) return {};
     return layer_.links(p, 1e-9 * frame().resolution,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "tutavia/core/assert.hpp"
 #include "tutavia/grid/cell.hpp"
@@ -18,10 +19,17 @@ struct EndpointLink {
   double length = 0;  ///< [m]
 };
 
-/// The links of one point. The capacity is fixed, so that searches do not allocate.
+/// The links of one point, to a cell and its eight neighbours. The capacity is fixed, so that
+/// searches do not allocate.
 class EndpointLinks {
  public:
   static constexpr std::size_t capacity = 16;
+
+  EndpointLinks() = default;
+  /// `centre`: the cell in the middle of the linked ones, where it is not the one nearest to the
+  /// point.
+  explicit EndpointLinks(Cell centre) : centre_(centre) {}
+  const std::optional<Cell>& centre() const { return centre_; }
 
   void push_back(const EndpointLink& link) {
     TUTAVIA_ASSERT(size_ < links_.size());
@@ -36,6 +44,7 @@ class EndpointLinks {
  private:
   std::array<EndpointLink, capacity> links_{};
   std::size_t size_ = 0;
+  std::optional<Cell> centre_{};
 };
 
 }  // namespace tutavia

@@ -71,7 +71,7 @@ TEST_CASE("a query off the grid takes its straight segment where that is free an
   }
 }
 
-TEST_CASE("an end without a cell that it reaches is refused as blocked") {
+TEST_CASE("a free end without a cell that it reaches has no path at this resolution") {
   // The radius leaves no cell free, but the grid's free corner is far enough from the blocked one.
   OccupancyGrid grid = test::free_grid(2, 2);
   grid.set({0, 0}, false);
@@ -82,7 +82,8 @@ TEST_CASE("an end without a cell that it reaches is refused as blocked") {
   CHECK(link_to_grid(space, query, StraightSegment::tried_first)->is_straight);
   const auto refused = link_to_grid(space, query, StraightSegment::ignored);
   REQUIRE_FALSE(refused);
-  CHECK(refused.error().code == PlanError::start_blocked);
+  CHECK(refused.error().code == PlanError::unreachable_at_resolution);
+  CHECK(refused.error().detail.find("the start is free, but") == 0);
 }
 
 TEST_CASE("a path through cells leaves out those at which the query starts and ends") {

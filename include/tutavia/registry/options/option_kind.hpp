@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -16,6 +15,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "tutavia/core/parts/number_text.hpp"
 #include "tutavia/registry/option_value.hpp"
 
 /// \file
@@ -174,12 +174,7 @@ inline std::string to_text(const OptionValue& value) {
   if (std::holds_alternative<std::monostate>(value)) return "none";
   if (const auto* is_on = std::get_if<bool>(&value)) return *is_on ? "true" : "false";
   if (const auto* name = std::get_if<std::string>(&value)) return *name;
-  if (const auto* number = std::get_if<double>(&value)) {
-    std::array<char, 32> buffer{};
-    const auto length =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), *number).ptr - buffer.data();
-    return {buffer.data(), static_cast<std::size_t>(length)};
-  }
+  if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   return std::to_string(std::get<std::uint64_t>(value));
 }

@@ -8,6 +8,7 @@
 #include "tutavia/search/ant_colony.hpp"
 #include "tutavia/search/any_angle.hpp"
 #include "tutavia/search/astar.hpp"
+#include "tutavia/search/auto_search.hpp"
 #include "tutavia/search/bidirectional_astar.hpp"
 #include "tutavia/search/canonical_astar.hpp"
 #include "tutavia/search/dijkstra.hpp"
@@ -216,9 +217,16 @@ struct OptionTable<AnyAngle> {
 };
 
 template <>
+struct OptionTable<AutoSearch> {
+  static constexpr std::string_view sentence =
+      "On workspaces A*, and tangent_graph where the lattice has no path; on cells jump points";
+  static constexpr auto fields = option_fields<AutoSearch>();
+};
+
+template <>
 struct OptionTable<TangentGraph> {
   static constexpr std::string_view sentence =
-      "The shortest path of a disc among polygons and discs";
+      "The shortest path of a disc or a point among polygons and discs, or among cells";
   static constexpr auto fields = option_fields<TangentGraph>(
       field<&TangentGraph::bound>("bound", "m", "longer paths are not searched"),
       data<&TangentGraph::tangents>());

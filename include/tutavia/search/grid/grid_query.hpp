@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tutavia/core/assert.hpp"
+#include "tutavia/core/parts/number_text.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/plan/query.hpp"
 #include "tutavia/search/query_checks.hpp"
@@ -72,8 +73,8 @@ class CellLinks {
 struct GridQuery {
   CellLinks starts;
   CellLinks goals;
-  Cell start_cell{};  ///< nearest to the start
-  Cell goal_cell{};   ///< nearest to the goal; goals lie no more than one step from it
+  Cell start_cell{};  ///< starts lie no more than one step from it
+  Cell goal_cell{};   ///< goals lie no more than one step from it
 
   /// Octile distance to `goal_cell` plus this offset is a consistent estimate of the cost to the
   /// goal. The offset is the least cost of a goal link minus the octile distance of its cell from
@@ -129,30 +130,34 @@ inline void append_cell(std::vector<Cell>& cells, Cell cell) {
 /// Whether a free straight segment between start and goal, if one is off the grid, is the answer.
 enum class StraightSegment { tried_first, ignored };
 
-/// Links start and goal to the grid. Errors: those of `check_query`; `start_blocked` and
-/// `goal_blocked` also if no cell around the point can be reached from it, unless the straight
-/// segment is the answer.
+/// The failure for a free start (or goal) that has no link to the grid.
+inline Unexpected<Failure> no_link(bool is_start) {
+  return fail(PlanError::unreachable_at_resolution,
+              std::string(is_start ? "the start" : "the goal")
+                  .append(" is free, but no node of the grid near it can be reached from it in a "
+                          "straight line; a finer resolution or TangentGraph may find a path"));
+}
+
+/// Links start and goal to the grid. Errors: those of `check_query`; `unreachable_at_resolution` if
+/// no node near one of them can be reached from it, unless the straight segment is the answer.
 template <LinkedSpace S>
 Expected<GridQuery, Failure> link_to_grid(const S& space, const Query& query,
                                           StraightSegment straight) {
   if (auto valid = check_query(space, query); !valid) return std::move(valid).unexpected();
   const Frame& frame = space.frame();
-  GridQuery linked{{space.links(query.start), frame.resolution},
-                   {space.links(query.goal), frame.resolution},
-                   frame.nearest_cell(query.start),
-                   frame.nearest_cell(query.goal)};
+  const EndpointLinks starts = space.links(query.start), goals = space.links(query.goal);
+  GridQuery linked{{starts, frame.resolution},
+                   {goals, frame.resolution},
+                   starts.centre().value_or(frame.nearest_cell(query.start)),
+                   goals.centre().value_or(frame.nearest_cell(query.goal))};
   const bool on_grid = linked.starts.is_cell() && linked.goals.is_cell();
   const bool tries_straight = straight == StraightSegment::tried_first && !on_grid;
   if (tries_straight && space.segment_free(query.start, query.goal)) {
     linked.is_straight = true;
     return linked;
   }
-  if (linked.starts.size() == 0) {
-    return fail(PlanError::start_blocked, "the start has no link to the grid at this resolution");
-  }
-  if (linked.goals.size() == 0) {
-    return fail(PlanError::goal_blocked, "the goal has no link to the grid at this resolution");
-  }
+  if (linked.starts.size() == 0) return no_link(true);
+  if (linked.goals.size() == 0) return no_link(false);
   linked.goal_offset = GridQuery::least_offset(linked.goals, linked.goal_cell);
   return linked;
 }
@@ -161,7 +166,8 @@ Expected<GridQuery, Failure> link_to_grid(const S& space, const Query& query,
 inline Failure grid_failure(Failure failure, const Statistics& stats, double resolution) {
   if (failure.code == PlanError::unreachable) {
     failure.code = PlanError::unreachable_at_resolution;
-    failure.detail = "no path on the grid at resolution " + std::to_string(resolution) + " m";
+    failure.detail = "no path on the grid at resolution " + number_text(resolution) +
+                     " m; a finer one or TangentGraph may find one";
   } else if (failure.code == PlanError::budget_exhausted) {
     failure.detail = "search stopped after " + std::to_string(stats.expanded) + " expansions";
   }

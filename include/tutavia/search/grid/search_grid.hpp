@@ -44,9 +44,9 @@ concept AnyStepSearch = G::takes_any_steps;
 /// Searches a grid. Start and goal are linked to it; unless both are cells, the straight segment
 /// between them may be tried first.
 ///
-/// Errors: those of `check_query`; `start_blocked` and `goal_blocked` also if no cell around the
-/// point can be reached from it; `invalid_option` if the search needs a movement rule and the space
-/// has none; `unreachable_at_resolution`; those of the search.
+/// Errors: those of `check_query`; `invalid_option` if the search needs a movement rule and the
+/// space has none; `unreachable_at_resolution`, also if no node near start or goal can be reached
+/// from it; those of the search.
 template <LinkedSpace S, Observer O, GridSearch<S, O> Search>
 Expected<Route, Failure> search_grid(const S& space, const Query& query, O& observer,
                                      const Search& search,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <numbers>
@@ -67,31 +68,72 @@ class GridLayer {
   /// The free cells whose reference points lie within sqrt(2) delta of `p` and for which
   /// `segment_free(p, reference point)` holds. If `p` lies within `merge` of the reference point of
   /// a free cell, that cell alone.
+  ///
+  /// If there is none, rings of cells farther away are tried, up to `most_rings`: the result is the
+  /// nearest cell of the first ring in which one can be reached, and those around it.
   template <class SegmentFree>
   EndpointLinks links(const Point& p, double merge, const SegmentFree& segment_free) const {
-    EndpointLinks result;
-    const double delta = frame_.resolution;
     const Cell centre = frame_.nearest_cell(p);
-    const auto usable = [&](Cell cell) { return grid_.contains(cell) && grid_.is_free(cell); };
-    if (usable(centre) && distance(frame_.point(centre), p) <= merge) {
+    if (is_usable(centre) && distance(frame_.point(centre), p) <= merge) {
+      EndpointLinks result;
       result.push_back({centre, 0});
       return result;
     }
-    for (int y = -1; y <= 1; ++y) {
-      for (int x = -1; x <= 1; ++x) {
-        const Cell cell = centre + Cell{x, y};
-        if (!usable(cell)) continue;
-        const Point node = frame_.point(cell);
-        const double length = distance(node, p);
-        if (length <= std::numbers::sqrt2 * delta * (1 + 1e-9) && segment_free(p, node)) {
-          result.push_back({cell, length});
-        }
-      }
+    EndpointLinks result;
+    const double reach = std::numbers::sqrt2 * frame_.resolution * (1 + 1e-9);
+    add_links(p, centre, reach, segment_free, result);
+    for (int ring = 2; result.empty() && ring <= most_rings; ++ring) {
+      const auto nearest = nearest_in_ring(p, centre, ring, segment_free);
+      if (!nearest) continue;
+      result = EndpointLinks(*nearest);
+      add_links(p, *nearest, std::numeric_limits<double>::infinity(), segment_free, result);
     }
     return result;
   }
+  static constexpr int most_rings = 16;
 
  private:
+  bool is_usable(Cell cell) const { return grid_.contains(cell) && grid_.is_free(cell); }
+
+  /// Adds the links of `p` to a cell and those around it, of a length up to `reach`.
+  template <class SegmentFree>
+  void add_links(const Point& p, Cell centre, double reach, const SegmentFree& segment_free,
+                 EndpointLinks& links) const {
+    for (int y = -1; y <= 1; ++y) {
+      for (int x = -1; x <= 1; ++x) {
+        const Cell cell = centre + Cell{x, y};
+        if (!is_usable(cell)) continue;
+        const Point node = frame_.point(cell);
+        const double length = distance(node, p);
+        if (length <= reach && segment_free(p, node)) links.push_back({cell, length});
+      }
+    }
+  }
+
+  /// The nearest cell, of those `ring` steps from a centre, to which the segment from `p` is free.
+  template <class SegmentFree>
+  std::optional<Cell> nearest_in_ring(const Point& p, Cell centre, int ring,
+                                      const SegmentFree& segment_free) const {
+    std::optional<Cell> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    const auto look_at = [&](Cell cell) {
+      if (!is_usable(cell)) return;
+      const Point node = frame_.point(cell);
+      const double length = distance(node, p);
+      if (!(length < least) || !segment_free(p, node)) return;
+      least = length;
+      nearest = cell;
+    };
+    for (int i = -ring; i <= ring; ++i) {
+      look_at(centre + Cell{i, -ring});
+      look_at(centre + Cell{i, ring});
+      if (i == -ring || i == ring) continue;
+      look_at(centre + Cell{-ring, i});
+      look_at(centre + Cell{ring, i});
+    }
+    return nearest;
+  }
+
   OccupancyGrid grid_;
   Frame frame_;
   MovementRule movement_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "tutavia/core/parts/number_text.hpp"
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/plan/failure.hpp"
@@ -35,8 +36,8 @@ inline Expected<void, Failure> check_resolution(const Box& bounds, double resolu
   }
   if (!(bounds.largest_coordinate() / resolution < 0x1p30) ||
       !(bounds.width() / resolution < 0x1p30) || !(bounds.height() / resolution < 0x1p30)) {
-    return fail(PlanError::limit_exceeded, "resolution " + std::to_string(resolution) +
-                                               " m needs more than 2^30 nodes per axis");
+    return fail(PlanError::limit_exceeded,
+                "resolution " + number_text(resolution) + " m needs more than 2^30 nodes per axis");
   }
   return {};
 }
