@@ -69,6 +69,7 @@ SHARED = {
 
 # Public names that machinery alone uses in this tree and users may nevertheless.
 FOR_USERS = {
+    "polyline_obstacle": "walls without thickness in workspaces of users",
     "RectangleObserver": "observers of users model it",
 }
 

@@ -59,6 +59,7 @@ TEST_CASE("a MovingAI map may end without a line end, or in empty lines, and hav
   for (const std::string text :
        {"type octile\nheight 1\nwidth 2\nmap\n.@", "type octile\nheight 1\nwidth 2\nmap\n.@\n\n \n",
         "type octile  \r\nheight 1 \r\nwidth\t2\t\r\nmap\r\n.@\r\n\r\n",
+        "\xEF\xBB\xBFType Tile\nHEIGHT 1\nWidth 2\nMAP\n.@",
         "width 2\n\n type octile\nheight 1\nmap \n.@  "}) {
     CAPTURE(text);
     const auto grid = parse_moving_ai_map(text);
@@ -70,11 +71,12 @@ TEST_CASE("a MovingAI map may end without a line end, or in empty lines, and hav
 TEST_CASE("swamp and water of a MovingAI map are refused until they are said to be something") {
   const std::string text = header + "...\n.SW\n";
   CHECK(map_complaint(text) ==
-        "line 6: expected one of . G @ O T in row 1, column 1, found S, which only some neighbours "
-        "may enter");
+        "line 6: expected one of . G @ O T in row 1, column 1, found \"S\", which only some "
+        "neighbours "
+        "may enter: MovingAiOptions::directional says how to read it");
   CHECK(map_complaint(header + "..W\n...\n")
             .find("line 5: expected one of . G @ O T in row 0, "
-                  "column 2, found W, which") == 0);
+                  "column 2, found \"W\", which") == 0);
   CHECK(drawn(parse_moving_ai_map(text, {MovingAiOptions::DirectionalTerrain::blocked}).value()) ==
         "...\n.@@\n");
   CHECK(drawn(parse_moving_ai_map(text, {MovingAiOptions::DirectionalTerrain::free}).value()) ==
@@ -91,13 +93,14 @@ TEST_CASE("a malformed header of a MovingAI map is reported with its line") {
        {"height 2\nwidth 3\nmap\n...\n...", "type octile\nwidth 3\nmap\n...\n...",
         "type octile\nheight 2\nmap\n...\n..."}) {
     CAPTURE(text);
-    CHECK(map_complaint(text).find("expected type, width and height before map, found map") !=
+    CHECK(map_complaint(text).find("expected type, width and height before map, found \"map\"") !=
           std::string::npos);
   }
-  CHECK(map_complaint("type tile\n") == "line 1: expected type octile, found type tile");
-  CHECK(map_complaint("type\n") == "line 1: expected type octile, found type");
+  CHECK(map_complaint("type quad\n") ==
+        "line 1: expected type octile or tile, found \"type quad\"");
+  CHECK(map_complaint("type\n") == "line 1: expected type octile or tile, found \"type\"");
   CHECK(map_complaint("type octile\ndepth 2\n") ==
-        "line 2: expected type, width, height (each once) or map, found depth 2");
+        "line 2: expected type, width, height (each once) or map, found \"depth 2\"");
   CHECK(map_complaint("width 3\nwidth 3\n").find("line 2: expected type, width, height (each") ==
         0);
   CHECK(map_complaint("type octile\ntype octile\n").find("line 2: expected type, width, h") == 0);
@@ -109,7 +112,7 @@ TEST_CASE("a size that is no positive number is refused, and a huge one before i
                                  "9223372036854775808", "99999999999999999999999999"}) {
     CAPTURE(size);
     CHECK(map_complaint("type octile\nheight " + size + "\n")
-              .find("line 2: expected height from 1 to 2^63 - 1, found height") == 0);
+              .find("line 2: expected height from 1 to 2^63 - 1, found \"height") == 0);
     CHECK(map_complaint("width " + size + "\n").find("line 1: expected width from 1") == 0);
   }
   for (const std::string size : {"2000000000", "9223372036854775807"}) {
@@ -129,18 +132,18 @@ TEST_CASE("rows of a MovingAI map that do not fit its size are reported with the
   CHECK(map_complaint(header + "\n...\n...\n") == "line 5: expected 3 cells in row 0, found 0");
   CHECK(map_complaint(header + "....\n...\n") == "line 5: expected 3 cells in row 0, found 4");
   CHECK(map_complaint(header + "...\n...\n\n...\n") ==
-        "line 8: expected nothing after the last row, found ...");
+        "line 8: expected nothing after the last row, found \"...\"");
 }
 
 TEST_CASE("an unknown character of a MovingAI map is named with line, row and column") {
   CHECK(map_complaint(header + "...\n..x\n") ==
-        "line 6: expected one of . G @ O T in row 1, column 2, found x");
+        "line 6: expected one of . G @ O T in row 1, column 2, found \"x\"");
   CHECK(map_complaint(header + ". .\n...\n") ==
-        "line 5: expected one of . G @ O T in row 0, column 1, found  ");
+        "line 5: expected one of . G @ O T in row 0, column 1, found \" \"");
   CHECK(map_complaint(header + "..\x01\n...\n") ==
-        "line 5: expected one of . G @ O T in row 0, column 2, found ?");
+        "line 5: expected one of . G @ O T in row 0, column 2, found byte 0x01");
   CHECK(map_complaint(header + std::string(".\0.\n...\n", 8)) ==
-        "line 5: expected one of . G @ O T in row 0, column 1, found ?");
+        "line 5: expected one of . G @ O T in row 0, column 1, found byte 0x00");
 }
 
 TEST_CASE("random grids come back from MovingAI text as they were") {
@@ -201,27 +204,28 @@ TEST_CASE("a scenario has columns apart by tabs or spaces") {
 TEST_CASE("a malformed scenario is reported with line and column") {
   const std::string end = "found the end of the file";
   CHECK(scenario_complaint("") == "line 1: expected version 1, " + end);
-  CHECK(scenario_complaint("version 2\n") == "line 1: expected version 1, found version 2");
-  CHECK(scenario_complaint("0 a 5 4 1 2 3 0 4\n").find("line 1: expected version 1, found 0 a") ==
+  CHECK(scenario_complaint("version 2\n") == "line 1: expected version 1, found \"version 2\"");
+  CHECK(scenario_complaint("0 a 5 4 1 2 3 0 4\n").find("line 1: expected version 1, found \"0 a") ==
         0);
   const std::string version = "version 1\n0 a 5 4 1 2 3 0 4\n";
   CHECK(scenario_complaint(version + "0 a 5 4 1 2 3 0\n") == "line 3: expected 9 columns, found 8");
   CHECK(scenario_complaint(version + "0 a 5 4 1 2 3 0 4 5\n") ==
         "line 3: expected 9 columns, found 10");
   const std::string number = "expected a number from 0 to 2^31 - 1 in column ";
-  CHECK(scenario_complaint(version + "x a 5 4 1 2 3 0 4\n") == "line 3: " + number + "1, found x");
+  CHECK(scenario_complaint(version + "x a 5 4 1 2 3 0 4\n") ==
+        "line 3: " + number + "1, found \"x\"");
   CHECK(scenario_complaint(version + "0 a -5 4 1 2 3 0 4\n") ==
-        "line 3: " + number + "3, found -5");
+        "line 3: " + number + "3, found \"-5\"");
   CHECK(scenario_complaint(version + "0 a 5 2147483648 1 2 3 0 4\n") ==
-        "line 3: " + number + "4, found 2147483648");
+        "line 3: " + number + "4, found \"2147483648\"");
   CHECK(scenario_complaint(version + "0 a 5 4 1.5 2 3 0 4\n") ==
-        "line 3: " + number + "5, found 1.5");
+        "line 3: " + number + "5, found \"1.5\"");
   CHECK(scenario_complaint(version + "0 a 5 4 1 -2 3 0 4\n") ==
-        "line 3: " + number + "6, found -2");
+        "line 3: " + number + "6, found \"-2\"");
   for (const std::string length : {"-1", "nan", "inf", "1e999", "4,5", "four"}) {
     CAPTURE(length);
     CHECK(scenario_complaint(version + "0 a 5 4 1 2 3 0 " + length) ==
-          "line 3: expected a length in column 9, found " + length);
+          "line 3: expected a length in column 9, found \"" + length + "\"");
   }
 }
 

@@ -19,6 +19,7 @@
 #include "tutavia/grid/cell.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/io/text/read_file.hpp"
+#include "tutavia/io/text/source_text.hpp"
 #include "tutavia/plan/failure.hpp"
 
 /// \file
@@ -50,10 +51,13 @@ struct ScenarioRow {
 
 namespace detail {
 
+/// How errors call the option for swamp and water; programs replace it with the name of their own.
+inline constexpr std::string_view directional_option = "MovingAiOptions::directional";
+
 /// Iterates over the lines of a text. Error messages start with the number of the line.
 class MovingAiLines {
  public:
-  explicit MovingAiLines(std::string_view text) : rest_(text) {}
+  explicit MovingAiLines(std::string_view text) : rest_(without_byte_order_mark(text)) {}
 
   /// Moves to the next line, without trailing blanks. False at the end of the text.
   bool next() {
@@ -84,13 +88,12 @@ class MovingAiLines {
     return words;
   }
 
-  Unexpected<Failure> expected(const std::string& what, std::string found) const {
-    for (char& c : found) c = c < ' ' || c > '~' ? '?' : c;
-    return fail(PlanError::invalid_input, "line " + std::to_string(number_) + ": expected " + what +
-                                              ", found " + found.substr(0, 60));
+  Unexpected<Failure> expected(const std::string& what, const std::string& found) const {
+    return fail(PlanError::invalid_input,
+                "line " + std::to_string(number_) + ": expected " + what + ", found " + found);
   }
   Unexpected<Failure> expected(const std::string& what) const {
-    return expected(what, at_end_ ? "the end of the file" : std::string(line_));
+    return expected(what, at_end_ ? "the end of the file" : shown_text(line_));
   }
 
  private:
@@ -112,23 +115,63 @@ Number moving_ai_number(std::string_view word) {
 inline Expected<OccupancyGrid, Failure> read_moving_ai_header(MovingAiLines& lines) {
   std::int64_t width = 0, height = 0;  // 0: not read yet
   bool type = false;
-  while (lines.next_filled() && lines.line() != "map") {
+  const auto is = [](std::string_view word, std::string_view key) {
+    return equal_in_any_case(word, key);
+  };
+  while (lines.next_filled() && !is(lines.line(), "map")) {
     const auto words = lines.words();
-    if (words[0] == "type" && !type) {
-      if (words.size() != 2 || words[1] != "octile") return lines.expected("type octile");
+    const bool is_width = is(words[0], "width");
+    if (is(words[0], "type") && !type) {
+      if (words.size() != 2 || !(is(words[1], "octile") || is(words[1], "tile"))) {
+        return lines.expected("type octile or tile");
+      }
       type = true;
-    } else if ((words[0] == "width" && width == 0) || (words[0] == "height" && height == 0)) {
-      std::int64_t& size = words[0] == "width" ? width : height;
+    } else if ((is_width && width == 0) || (is(words[0], "height") && height == 0)) {
+      std::int64_t& size = is_width ? width : height;
       if (words.size() == 2) size = moving_ai_number<std::int64_t>(words[1]);
-      if (size <= 0) return lines.expected(std::string(words[0]) + " from 1 to 2^63 - 1");
+      if (size <= 0) {
+        return lines.expected(std::string(is_width ? "width" : "height") + " from 1 to 2^63 - 1");
+      }
     } else {
       return lines.expected("type, width, height (each once) or map");
     }
   }
-  if (lines.line() != "map" || !type || width == 0 || height == 0) {
+  if (!is(lines.line(), "map") || !type || width == 0 || height == 0) {
     return lines.expected("type, width and height before map");
   }
   return OccupancyGrid::blocked(width, height);
+}
+
+/// Reads row `y` of the map into the grid.
+inline Expected<void, Failure> read_moving_ai_row(MovingAiLines& lines, int y,
+                                                  const MovingAiOptions& options,
+                                                  OccupancyGrid& grid) {
+  using DirectionalTerrain = MovingAiOptions::DirectionalTerrain;
+  constexpr std::string_view terrains = ".G@OTSW";  // free, blocked from 2, directional from 5
+  const std::string row = "row " + std::to_string(y);
+  if (!lines.next()) return lines.expected(row + " of " + std::to_string(grid.height()));
+  if (lines.line().size() != static_cast<std::size_t>(grid.width())) {
+    return lines.expected(std::to_string(grid.width()) + " cells in " + row,
+                          std::to_string(lines.line().size()));
+  }
+  for (int x = 0; x < grid.width(); ++x) {
+    const std::string_view found = lines.line().substr(static_cast<std::size_t>(x), 1);
+    const std::size_t terrain = terrains.find(found);
+    const bool is_known = terrain < terrains.size();
+    const bool is_directional = is_known && terrain >= 5;
+    if (!is_known || (is_directional && options.directional == DirectionalTerrain::refused)) {
+      std::string what = shown_text(found);
+      if (is_directional) {
+        what.append(", which only some neighbours may enter: ")
+            .append(directional_option)
+            .append(" says how to read it");
+      }
+      return lines.expected("one of . G @ O T in " + row + ", column " + std::to_string(x), what);
+    }
+    grid.set({x, y},
+             is_directional ? options.directional == DirectionalTerrain::free : terrain < 2);
+  }
+  return {};
 }
 
 inline Expected<ScenarioRow, Failure> read_scenario_row(const MovingAiLines& lines) {
@@ -144,10 +187,10 @@ inline Expected<ScenarioRow, Failure> read_scenario_row(const MovingAiLines& lin
     *columns[i] = moving_ai_number<int>(words[i]);
     if (*columns[i] >= 0) continue;
     return lines.expected("a number from 0 to 2^31 - 1 in column " + std::to_string(i + 1),
-                          std::string(words[i]));
+                          shown_text(words[i]));
   }
   row.optimal_length = moving_ai_number<double>(words[8]);
-  if (row.optimal_length < 0) return lines.expected("a length in column 9", std::string(words[8]));
+  if (row.optimal_length < 0) return lines.expected("a length in column 9", shown_text(words[8]));
   for (const Cell& cell : {row.start, row.goal}) {
     if (cell.x < row.width && cell.y < row.height) continue;
     return lines.expected("start and goal in " + std::to_string(row.width) + " x " +
@@ -162,36 +205,18 @@ inline Expected<ScenarioRow, Failure> read_scenario_row(const MovingAiLines& lin
 /// A map as a grid: cell (x, y) is column x of row y, row 0 at the top of the file.
 ///
 /// `.` and `G` are free, `@`, `O` and `T` are blocked. The lines of the header may come in any
-/// order; trailing blanks, CRLF and empty lines at the end are ignored. Errors: `invalid_input`
-/// with the line of anything else, rows and columns counted from 0; `limit_exceeded` for more cells
-/// than `OccupancyGrid::blocked` allows.
+/// order and in any case, of type octile or tile; a byte order mark, trailing blanks, CRLF and
+/// empty lines at the end are ignored. Errors: `invalid_input` with the line of anything else, rows
+/// and columns counted from 0; `limit_exceeded` for more cells than `OccupancyGrid::blocked`
+/// allows.
 inline Expected<OccupancyGrid, Failure> parse_moving_ai_map(std::string_view text,
                                                             const MovingAiOptions& options = {}) {
-  constexpr std::string_view terrains = ".G@OTSW";  // free, blocked from 2, directional from 5
   detail::MovingAiLines lines(text);
   auto grid = detail::read_moving_ai_header(lines);
   if (!grid) return grid;
   for (int y = 0; y < grid->height(); ++y) {
-    const std::string row = "row " + std::to_string(y);
-    if (!lines.next()) return lines.expected(row + " of " + std::to_string(grid->height()));
-    if (lines.line().size() != static_cast<std::size_t>(grid->width())) {
-      return lines.expected(std::to_string(grid->width()) + " cells in " + row,
-                            std::to_string(lines.line().size()));
-    }
-    for (int x = 0; x < grid->width(); ++x) {
-      const char found = lines.line()[static_cast<std::size_t>(x)];
-      const std::size_t terrain = terrains.find(found);
-      const bool directional = terrain >= 5;
-      if (terrain >= terrains.size() ||
-          (directional && options.directional == MovingAiOptions::DirectionalTerrain::refused)) {
-        return lines.expected(
-            "one of . G @ O T in " + row + ", column " + std::to_string(x),
-            found + std::string(terrain < terrains.size() ? ", which only some neighbours may enter"
-                                                          : ""));
-      }
-      grid->set({x, y}, directional
-                            ? options.directional == MovingAiOptions::DirectionalTerrain::free
-                            : terrain < 2);
+    if (const auto row = detail::read_moving_ai_row(lines, y, options, *grid); !row) {
+      return Unexpected{row.error()};
     }
   }
   if (lines.next_filled()) return lines.expected("nothing after the last row");
@@ -203,9 +228,10 @@ inline Expected<OccupancyGrid, Failure> parse_moving_ai_map(std::string_view tex
 inline Expected<std::vector<ScenarioRow>, Failure> parse_moving_ai_scenario(std::string_view text) {
   detail::MovingAiLines lines(text);
   lines.next();
-  if (lines.line() != "version 1" && lines.line() != "version 1.0") {
-    return lines.expected("version 1");
-  }
+  const auto is = [&](std::string_view line) {
+    return detail::equal_in_any_case(lines.line(), line);
+  };
+  if (!is("version 1") && !is("version 1.0")) return lines.expected("version 1");
   std::vector<ScenarioRow> rows;
   while (lines.next_filled()) {
     auto row = detail::read_scenario_row(lines);

@@ -10,8 +10,12 @@
 #include <utility>
 #include <variant>
 
+#include "tutavia/io/text/degrees.hpp"
 #include "tutavia/io/text/fields_json.hpp"
+#include "tutavia/io/text/json_text.hpp"
+#include "tutavia/io/text/parse_error.hpp"
 #include "tutavia/io/text/read_file.hpp"
+#include "tutavia/io/text/source_text.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/world/scene.hpp"
 
@@ -25,6 +29,9 @@ namespace detail {
 inline Obstacle read_obstacle(const nlohmann::json& json, const std::string& name) {
   namespace fields = json_fields;
   fields::require(json.is_object(), name, "an object");
+  const auto has = [&](const char* key) { return json.contains(key) ? 1 : 0; };
+  fields::require(has("polygon") + has("bbox") + has("center") <= 1, name,
+                  "one of \"polygon\", \"bbox\" and \"center\"");
   if (json.contains("polygon")) {
     Polygon polygon{fields::ring(json["polygon"], name + ".polygon")};
     if (json.contains("holes")) {
@@ -62,9 +69,10 @@ inline SceneFile read_scene(const nlohmann::json& json) {
                                                   "start",  "goals",         "resolution"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      file.warnings.push_back("unknown key \"" + key + "\" ignored");
+      file.warnings.push_back("unknown key \"" + printable_line(key) + "\" ignored");
     }
   }
+  warn_of_degrees(scene, file.warnings);
   return file;
 }
 
@@ -73,10 +81,13 @@ inline SceneFile read_scene(const nlohmann::json& json) {
 /// Parses a workspace or scene: `bounds [x0,y0,x1,y1]`, `safety_radius`, `obstacles` (each
 /// `{"polygon":[[x,y],...],"holes":[...]}`, `{"center":[x,y],"radius":R}` or
 /// `{"bbox":[x0,y0,x1,y1]}`), optional `name`, `start`, `goals`, `resolution`; metres. Unknown keys
-/// are ignored; each at top level gives a warning. Errors: `invalid_input` with line and column for
-/// malformed JSON, with the field for a value of the wrong type, and those of `validate`.
+/// are ignored; each at top level gives a warning, and so do coordinates that look like degrees.
+/// Errors: `invalid_input` with line and column, in bytes, for malformed JSON, a key that stands
+/// twice and a number too large or too small for a double; with the field for a value of the wrong
+/// type; and those of `validate`.
 inline Expected<SceneFile, Failure> parse_scene_json(std::string_view text) {
-  auto file = detail::json_fields::parse_json(text, detail::read_scene);
+  auto file =
+      detail::parse_or_fail([&] { return detail::read_scene(detail::parse_json_text(text)); });
   if (!file) return file;
   if (const auto valid = validate(file->scene.workspace); !valid) return Unexpected{valid.error()};
   return file;

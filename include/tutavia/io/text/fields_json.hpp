@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "tutavia/io/text/parse_error.hpp"
-#include "tutavia/plan/failure.hpp"
 #include "tutavia/world/scene.hpp"
 
 /// \file
 /// json_fields: helpers to read fields of JSON files.
 
-/// Reads fields of JSON values. Each function throws a ParseError that names the field;
-/// `parse_json` turns it into a failure.
+/// Reads fields of JSON values. Each function throws a ParseError that names the field.
 namespace tutavia::detail::json_fields {
 
 using Json = nlohmann::json;
@@ -25,10 +22,19 @@ inline void require(bool condition, const std::string& name, const std::string& 
   if (!condition) throw ParseError{name + ": expected " + expected};
 }
 
-/// The name is not a std::string reference, because g++ would warn of a dangling reference.
-inline const Json& field(const Json& json, const char* name) {
-  if (!json.contains(name)) throw ParseError{"\"" + std::string(name) + "\" is missing"};
+/// The names are not std::string references, because g++ would warn of a dangling reference.
+inline const Json& field(const Json& json, const char* name, std::string_view owner = {}) {
+  if (!json.contains(name)) {
+    std::string message = owner.empty() ? std::string() : std::string(owner).append(": ");
+    throw ParseError{message.append("\"").append(name).append("\" is missing")};
+  }
   return json[name];
+}
+
+/// A field that may be missing or null: nullptr then.
+inline const Json* optional_field(const Json& json, const char* name) {
+  const auto found = json.find(name);
+  return found == json.end() || found->is_null() ? nullptr : &*found;
 }
 
 inline double number(const Json& json, const std::string& name) {
@@ -41,17 +47,20 @@ inline std::string string(const Json& json, const std::string& name) {
   return json.get<std::string>();
 }
 
-/// [x, y]; with `at_least`, further numbers are ignored.
-inline Point point(const Json& json, const std::string& name, bool at_least = false) {
-  require(json.is_array() && (json.size() == 2 || (at_least && json.size() > 2)) &&
-              json[0].is_number() && json[1].is_number(),
-          name, "[x, y]");
+/// Whether a value is an array of numbers alone.
+inline bool is_numbers(const Json& json) {
+  return json.is_array() &&
+         std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number(); });
+}
+
+/// [x, y].
+inline Point point(const Json& json, const std::string& name) {
+  require(is_numbers(json) && json.size() == 2, name, "[x, y]");
   return {json[0].get<double>(), json[1].get<double>()};
 }
 
 inline Box box(const Json& json, const std::string& name) {
-  require(json.is_array() && json.size() == 4, name, "[x0, y0, x1, y1]");
-  for (const Json& value : json) require(value.is_number(), name, "[x0, y0, x1, y1]");
+  require(is_numbers(json) && json.size() == 4, name, "[x0, y0, x1, y1]");
   return {{json[0].get<double>(), json[1].get<double>()},
           {json[2].get<double>(), json[3].get<double>()}};
 }
@@ -65,35 +74,21 @@ void each(const Json& json, const std::string& name, Visit visit) {
   }
 }
 
-inline Ring ring(const Json& json, const std::string& name, bool at_least = false) {
+inline Ring ring(const Json& json, const std::string& name) {
   Ring result;
   each(json, name, [&](const Json& item, const std::string& item_name) {
-    result.push_back(point(item, item_name, at_least));
+    result.push_back(point(item, item_name));
   });
   return result;
 }
 
 /// The optional fields `name`, `start`, `goals` and `resolution` of a scene.
 inline void read_task(const Json& json, Scene& scene) {
-  if (json.contains("name")) scene.name = string(json["name"], "name");
-  if (json.contains("start")) scene.start = point(json["start"], "start");
-  if (json.contains("goals")) scene.goals = ring(json["goals"], "goals");
-  if (json.contains("resolution")) scene.resolution = number(json["resolution"], "resolution");
-}
-
-/// Parses text and calls `read` with the result. Errors: `invalid_input` with line and column for
-/// malformed JSON, and with the name of a field of the wrong type.
-template <class Read>
-Expected<SceneFile, Failure> parse_json(std::string_view text, Read read) {
-  try {
-    return read(Json::parse(text));
-  } catch (const Json::exception& error) {
-    const std::string what = error.what();  // "[json.exception...] parse error at line 3, ..."
-    const std::size_t prefix = what.find("] ");
-    return fail(PlanError::invalid_input,
-                prefix == std::string::npos ? what : what.substr(prefix + 2));
-  } catch (const ParseError& error) {
-    return fail(error.code, error.what);
+  if (const Json* name = optional_field(json, "name")) scene.name = string(*name, "name");
+  if (const Json* start = optional_field(json, "start")) scene.start = point(*start, "start");
+  if (const Json* goals = optional_field(json, "goals")) scene.goals = ring(*goals, "goals");
+  if (const Json* resolution = optional_field(json, "resolution")) {
+    scene.resolution = number(*resolution, "resolution");
   }
 }
 
