@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <iostream>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,8 +28,11 @@ namespace plan_program {
 
 namespace {
 
+/// In lower case.
 std::string extension(const std::string& path) {
-  return std::filesystem::path(path).extension().string();
+  std::string text = std::filesystem::path(path).extension().string();
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
 }
 
 void print_warnings(const std::string& path, const std::vector<std::string>& warnings) {
@@ -36,25 +41,46 @@ void print_warnings(const std::string& path, const std::vector<std::string>& war
   }
 }
 
-SceneFile read_workspace(const std::string& path) {
-  if (extension(path) == ".json") return value_or_throw(read_scene_json(path));
-  if (extension(path) == ".geojson") return value_or_throw(read_geo_json(path));
-  if (extension(path) == ".wkt") {
-    WktObstacles read = value_or_throw(detail::read_file(path, parse_wkt));
-    SceneFile file{.scene = {}, .warnings = std::move(read.warnings)};
-    file.scene.workspace.obstacles = std::move(read.obstacles);
-    file.scene.workspace.safety_radius = std::numeric_limits<double>::quiet_NaN();
-    return file;
+SceneFile read_wkt(const Arguments& args) {
+  WktObstacles read = value_or_throw(detail::read_file(args.workspace, [&](std::string_view text) {
+    return parse_wkt(text, {.csv_column = args.wkt_column});
+  }));
+  SceneFile file{.scene = {}, .warnings = std::move(read.warnings)};
+  file.scene.workspace.obstacles = std::move(read.obstacles);
+  file.scene.workspace.safety_radius = std::numeric_limits<double>::quiet_NaN();
+  return file;
+}
+
+SceneFile read_workspace(const Arguments& args) {
+  const std::string& path = args.workspace;
+  const std::string kind = extension(path);
+  if (kind == ".csv" && args.wkt_column.empty()) {
+    throw UsageError{path + ": name the column that holds WKT: give --wkt-column NAME"};
   }
-  throw UsageError{path + ": unknown kind of file (.json, .geojson or .wkt)"};
+  if (kind == ".wkt" || kind == ".csv") return read_wkt(args);
+  if (!args.wkt_column.empty()) throw UsageError{"--wkt-column is for .csv and .wkt files"};
+  if (kind == ".json") return value_or_throw(read_scene_json(path));
+  if (kind == ".geojson") return value_or_throw(read_geo_json(path));
+  throw UsageError{path + ": unknown kind of file (.json, .geojson, .wkt or .csv)"};
+}
+
+/// Throws a UsageError that names the file and the obstacle, before bounds are made from them.
+void check_obstacles(const std::string& path, Workspace& workspace) {
+  Workspace obstacles_only{.bounds = {{0, 0}, {1, 1}}};
+  std::swap(obstacles_only.obstacles, workspace.obstacles);
+  const auto valid = validate(obstacles_only);
+  std::swap(obstacles_only.obstacles, workspace.obstacles);
+  if (!valid) throw UsageError{path + ": " + valid.error().detail};
 }
 
 Scene load_scene(const Arguments& args) {
   if (!args.workspace.empty()) {
-    SceneFile file = read_workspace(args.workspace);
+    SceneFile file = read_workspace(args);
     print_warnings(args.workspace, file.warnings);
+    check_obstacles(args.workspace, file.scene.workspace);
     return std::move(file.scene);
   }
+  if (!args.wkt_column.empty()) throw UsageError{"--wkt-column is for --workspace"};
   if (args.map.empty() || args.map == "maze") return maps::maze();
   if (args.map == "array") return maps::array();
   if (args.map == "complex") return maps::complex();
@@ -65,13 +91,14 @@ Scene load_scene(const Arguments& args) {
 }
 
 /// Bounds for files without them: a box around everything in the scene, a tenth larger and with
-/// room for the robot to pass outside.
+/// room for the robot to pass outside; 1 m larger around a single point.
 Box bounds_around(const Scene& scene) {
   Box box = scene.workspace.extent();
   box.include(scene.start);
   for (const Point& goal : scene.goals) box.include(goal);
-  return box.inflated(
-      std::max(0.1 * std::max(box.width(), box.height()), 4 * scene.workspace.safety_radius));
+  const double margin =
+      std::max(0.1 * std::max(box.width(), box.height()), 4 * scene.workspace.safety_radius);
+  return box.inflated(margin > 0 ? margin : 1);
 }
 
 void override_start_and_goals(const Arguments& args, Scene& scene) {
@@ -101,21 +128,23 @@ void override_workspace(const Arguments& args, Scene& scene) {
   if (args.resolution) scene.resolution = *args.resolution;
 }
 
-void refuse_self_crossing(const Workspace& workspace) {
+void refuse_self_crossing(const std::string& path, const Workspace& workspace) {
   const auto& crossing = inspect(workspace).self_crossing;
   if (crossing.empty()) return;
-  throw UsageError{"obstacles[" + std::to_string(crossing.front()) + "] crosses itself (--strict)"};
+  throw UsageError{(path.empty() ? path : path + ": ") + "obstacles[" +
+                   std::to_string(crossing.front()) + "] crosses itself (--strict)"};
 }
 
 Task load_workspace(const Arguments& args) {
   if (args.buffer) {
     throw UsageError{"--buffer is for the cells of --grid; on a workspace give --radius R"};
   }
+  if (args.terrain != "refused") throw UsageError{"--terrain is for the .map files of --grid"};
   Scene scene = load_scene(args);
   override_start_and_goals(args, scene);
   override_workspace(args, scene);
   throw_failure(validate(scene.workspace));
-  if (args.strict) refuse_self_crossing(scene.workspace);
+  if (args.strict) refuse_self_crossing(args.workspace, scene.workspace);
   LatticeSpace space = value_or_throw(LatticeSpace::build(
       scene.workspace,
       {.resolution = scene.resolution, .movement = args.movement, .edges = args.edges}));
@@ -144,7 +173,23 @@ CellMap load_ros_map(const Arguments& args, CellOptions options) {
   return {value_or_throw(to_grid(map, unknown)), options};
 }
 
+/// The cells of a MovingAI map; an error about swamp and water names the option of this program.
+OccupancyGrid read_terrain(const Arguments& args) {
+  using DirectionalTerrain = MovingAiOptions::DirectionalTerrain;
+  const auto directional = args.terrain == "free"      ? DirectionalTerrain::free
+                           : args.terrain == "blocked" ? DirectionalTerrain::blocked
+                                                       : DirectionalTerrain::refused;
+  auto cells = read_moving_ai_map(args.grid, {directional});
+  if (!cells) {
+    std::string& text = cells.error().detail;
+    const std::size_t at = text.find(detail::directional_option);
+    if (at != std::string::npos) text.replace(at, detail::directional_option.size(), "--terrain");
+  }
+  return value_or_throw(std::move(cells));
+}
+
 CellMap load_cells(const Arguments& args) {
+  if (!args.wkt_column.empty()) throw UsageError{"--wkt-column is for --workspace"};
   if (args.resolution || !args.bounds.empty()) {
     throw UsageError{"--grid brings its own resolution and bounds"};
   }
@@ -152,9 +197,10 @@ CellMap load_cells(const Arguments& args) {
     throw UsageError{"--edges is for the lattice of a workspace"};
   const CellOptions options{.safety_radius = args.radius.value_or(0), .movement = args.movement};
   const std::string kind = extension(args.grid);
+  if (args.terrain != "refused" && kind != ".map") throw UsageError{"--terrain is for .map files"};
   if (kind == ".yaml" || kind == ".yml") return load_ros_map(args, options);
   if (kind != ".map") throw UsageError{args.grid + ": unknown kind of file (.map or .yaml)"};
-  return {value_or_throw(read_moving_ai_map(args.grid)), options};
+  return {read_terrain(args), options};
 }
 
 /// Adds the cells that contain a point: one, or all that meet there if it lies on their sides.

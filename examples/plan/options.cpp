@@ -21,14 +21,19 @@ namespace {
 void define_input_options(CLI::App& app, Arguments& args) {
   auto* map = app.add_option("--map", args.map,
                              "Built-in map: array, complex, maze, rrt_scene_1 or rrt_scene_2");
-  app.add_option("--workspace", args.workspace, "Workspace file (.json, .geojson or .wkt)")
+  app.add_option("--workspace", args.workspace, "Workspace file (.json, .geojson, .wkt or .csv)")
       ->excludes(map);
+  app.add_option("--wkt-column", args.wkt_column, "The column of a .csv file that holds WKT");
   app.add_option("--grid", args.grid, "Grid map: MovingAI (.map) or ROS map_server (.yaml)")
       ->excludes(map)
       ->excludes("--workspace");
   app.add_option("--unknown", args.unknown, "Unknown cells of a ROS map: blocked or free")
       ->capture_default_str()
       ->check(CLI::IsMember({"blocked", "free"}));
+  app.add_option("--terrain", args.terrain,
+                 "Swamp and water (S, W) of a MovingAI map: refused, blocked or free")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"refused", "blocked", "free"}));
   app.add_option("--start", args.start, "Start, as X,Y in metres");
   app.add_option("--goal", args.goals, "Goal, as X,Y; may be repeated. Default: every goal given")
       ->allow_extra_args(false);

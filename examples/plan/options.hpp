@@ -23,8 +23,10 @@ using tutavia::Point;
 struct Arguments {
   std::string map{};
   std::string workspace{};
+  std::string wkt_column{};
   std::string grid{};
   std::string unknown = "blocked";
+  std::string terrain = "refused";
   std::string start{};
   std::vector<std::string> goals{};
   std::optional<double> radius{};

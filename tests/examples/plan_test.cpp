@@ -366,7 +366,7 @@ TEST_CASE("bad usage and bad input give exit code 2 and one line that says what 
   for (const Case& bad : {
            Case{"--workspace no_goal.json", "no goal"},
            Case{"--workspace no_start.json", "no start"},
-           Case{"--workspace malformed.json", "malformed.json: parse error at line 2, column 19"},
+           Case{"--workspace malformed.json", "malformed.json: line 2, column 19: syntax error"},
            Case{"--workspace negative.json", "safety_radius must not be negative"},
            Case{"--workspace infinite.json", "1e999"},
            Case{"--workspace missing.json", "missing.json: cannot be read"},
@@ -422,6 +422,52 @@ TEST_CASE("WKT and GeoJSON files are planned in, with what they lack given as op
   CHECK(contains(no_radius.err, "no safety radius"));
   CHECK(folder.run("--workspace wall.geojson --bounds 0,0,9").code == 2);
   CHECK(contains(folder.run("--workspace wall.shp").err, "unknown kind of file"));
+}
+
+TEST_CASE("a column of CSV is planned in, and extensions may be in any case") {
+  const Folder folder;
+  folder.write("walls.CSV", "id;shape\n1;LINESTRING(5 2,5 8)\n");
+  folder.write("wall.Wkt", "LINESTRING(5 2,5 8)");
+  const std::string task = " --start 3.5,4 --goal 9,4 --radius 0.3";
+  CHECK(folder.run("--workspace walls.CSV --wkt-column shape" + task).code == 0);
+  CHECK(folder.run("--workspace wall.Wkt" + task).code == 0);
+  const auto complaint = [&](const std::string& options) {
+    const Outcome outcome = folder.run(options);
+    CHECK(outcome.code == 2);
+    CHECK(lines(outcome.err) == 1);
+    return outcome.err;
+  };
+  CHECK(contains(complaint("--workspace walls.CSV" + task), "give --wkt-column NAME"));
+  CHECK(contains(complaint("--workspace walls.CSV --wkt-column wkt" + task),
+                 "walls.CSV: line 1, column 1: expected a header with a column \"wkt\""));
+  CHECK(contains(complaint("--map maze --wkt-column shape"), "--wkt-column is for --workspace"));
+}
+
+TEST_CASE("a file without obstacles has bounds round the start and the goals") {
+  const Folder folder;
+  folder.write("empty.wkt", "POINT EMPTY");
+  CHECK(folder.run("--workspace empty.wkt --start 1,2 --goal 8,2 --radius 0.3").code == 0);
+  CHECK(folder.run("--workspace empty.wkt --start 1,2 --goal 1,2 --radius 0").code == 0);
+  folder.write("far.wkt", "POINT(1 1)\nPOINT(1e300 1)");
+  const Outcome far = folder.run("--workspace far.wkt --start 1,2 --goal 8,2 --radius 0.3");
+  CHECK(far.code == 2);
+  CHECK(contains(far.err, "far.wkt: obstacles[1].center must be finite"));
+  folder.write("far.geojson", R"({"type":"Point","coordinates":[1e300,1]})");
+  CHECK(contains(folder.run("--workspace far.geojson --start 1,2 --goal 8,2 --radius 0.3").err,
+                 "far.geojson: obstacles[0].center must be finite"));
+}
+
+TEST_CASE("swamp and water of a MovingAI map are read as --terrain says") {
+  const Folder folder;
+  folder.write("swamp.MAP", "type octile\nheight 1\nwidth 3\nmap\n.S.\n");
+  const std::string task = "--grid swamp.MAP --start 0.5,0.5 --goal 2.5,0.5";
+  const Outcome refused = folder.run(task);
+  CHECK(refused.code == 2);
+  CHECK(contains(refused.err, "found \"S\", which only some neighbours may enter: --terrain says"));
+  CHECK(folder.run(task + " --terrain free").code == 0);
+  CHECK(folder.run(task + " --terrain blocked").code == 1);
+  CHECK(folder.run(task + " --terrain swamp").code == 2);
+  CHECK(contains(folder.run("--map maze --terrain free").err, "--terrain is for"));
 }
 
 TEST_CASE("a wall of vertices with three ordinates stands where its file says") {
