@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The shortest path of a disc among polygons: its time, without and with prepared tangents, beside
-/// A* on a lattice, and how much longer other paths are; and the time to prepare tangents, and to
-/// update them when one polygon moves.
+/// A* and AutoSearch on a lattice, and how much longer other paths are; and the time to prepare
+/// tangents, and to update them when one polygon moves.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include "polygon_worlds.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/search/astar.hpp"
+#include "tutavia/search/auto_search.hpp"
 #include "tutavia/search/tangent_graph.hpp"
 #include "tutavia/search/theta_star.hpp"
 #include "tutavia/smooth/homotopy_refine.hpp"
@@ -40,7 +41,8 @@ const std::vector<std::string> kinds{"astar",       "astar+shortcut",   "theta_s
 /// Sums over the worlds with one number of polygons.
 struct Row {
   std::size_t polygons = 0, worlds = 0, wrong = 0;
-  double astar_us = 0, optimum_us = 0, prepared_us = 0, prepare_ms = 0, update_ms = 0, expanded = 0;
+  double astar_us = 0, auto_us = 0, optimum_us = 0, prepared_us = 0, prepare_ms = 0, update_ms = 0,
+         expanded = 0;
   double slowest_us = 0, slowest_prepared_us = 0;
   std::vector<double> ratios = std::vector<double>(kinds.size(), 0.0);
 
@@ -89,6 +91,12 @@ bool run_world(const Scene& scene, std::size_t rounds, Row& row) {
   const auto route =
       timed(rounds, astar_us, [&] { return AStar{}.search(space, query, astar, no_observer); });
   if (!route) return false;
+  AutoSearch::Scratch auto_scratch;
+  double auto_us = 0;
+  const auto auto_route = timed(rounds, auto_us, [&] {
+    return AutoSearch{}.search(space, query, auto_scratch, no_observer);
+  });
+  if (!auto_route || auto_route->cost != route->cost) ++row.wrong;
   detail::TangentScratch scratch;
   const auto optimum = timed(rounds, optimum_us, [&] {
     return TangentGraph{}.search(space, query, scratch, no_observer);
@@ -122,6 +130,7 @@ bool run_world(const Scene& scene, std::size_t rounds, Row& row) {
   }
   ++row.worlds;
   row.astar_us += astar_us;
+  row.auto_us += auto_us;
   row.optimum_us += optimum_us;
   row.prepared_us += prepared_us;
   row.slowest_us = std::max(row.slowest_us, optimum_us);
@@ -134,7 +143,8 @@ int run(const polygon_worlds::Arguments& args) {
   std::printf("100 x 100 m, lattice 0.25 m, worlds from seed %llu on\n",
               static_cast<unsigned long long>(args.seed));
   std::string csv =
-      "polygons,worlds,astar_us,optimum_us,slowest_us,prepared_us,slowest_prepared_us,prepare_ms,"
+      "polygons,worlds,astar_us,auto_us,optimum_us,slowest_us,prepared_us,slowest_prepared_us,"
+      "prepare_ms,"
       "update_ms,expanded,wrong";
   for (const std::string& kind : kinds) csv += "," + kind;
   csv += '\n';
@@ -145,13 +155,14 @@ int run(const polygon_worlds::Arguments& args) {
     polygon_worlds::for_each_world(
         args, polygons, [&](const Scene& scene) { return run_world(scene, args.rounds, row); });
     std::printf(
-        "%zu polygons: A* %.1f us, optimum %.1f us (%.2f x A*, slowest %.1f us), prepared %.1f us "
+        "%zu polygons: A* %.1f us, auto %.3f x A*, optimum %.1f us (%.2f x A*, slowest %.1f us), "
+        "prepared %.1f us "
         "(%.2f x A*, slowest %.1f us; prepared in %.1f ms, updated in %.2f ms), %.0f expansions, "
         "%zu wrong\n",
-        polygons, row.mean(row.astar_us), row.mean(row.optimum_us), row.optimum_us / row.astar_us,
-        row.slowest_us, row.mean(row.prepared_us), row.prepared_us / row.astar_us,
-        row.slowest_prepared_us, row.mean(row.prepare_ms), row.mean(row.update_ms),
-        row.mean(row.expanded), row.wrong);
+        polygons, row.mean(row.astar_us), row.auto_us / row.astar_us, row.mean(row.optimum_us),
+        row.optimum_us / row.astar_us, row.slowest_us, row.mean(row.prepared_us),
+        row.prepared_us / row.astar_us, row.slowest_prepared_us, row.mean(row.prepare_ms),
+        row.mean(row.update_ms), row.mean(row.expanded), row.wrong);
     std::printf("  length / optimum:");
     for (std::size_t k = 0; k < kinds.size(); ++k) {
       std::printf(" %s %.5f", kinds[k].c_str(), row.mean(row.ratios[k]));
@@ -159,11 +170,11 @@ int run(const polygon_worlds::Arguments& args) {
     std::puts("");
     std::fflush(stdout);
     char line[256];
-    std::snprintf(line, sizeof line, "%zu,%zu,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f,%zu",
-                  polygons, row.worlds, row.mean(row.astar_us), row.mean(row.optimum_us),
-                  row.slowest_us, row.mean(row.prepared_us), row.slowest_prepared_us,
-                  row.mean(row.prepare_ms), row.mean(row.update_ms), row.mean(row.expanded),
-                  row.wrong);
+    std::snprintf(line, sizeof line, "%zu,%zu,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f,%zu",
+                  polygons, row.worlds, row.mean(row.astar_us), row.mean(row.auto_us),
+                  row.mean(row.optimum_us), row.slowest_us, row.mean(row.prepared_us),
+                  row.slowest_prepared_us, row.mean(row.prepare_ms), row.mean(row.update_ms),
+                  row.mean(row.expanded), row.wrong);
     csv += line;
     for (const double ratio : row.ratios) {
       std::snprintf(line, sizeof line, ",%.7f", row.mean(ratio));
