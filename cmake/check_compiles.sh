@@ -3,8 +3,8 @@
 # Compiles, without making code and with warnings as errors, what the test build does not.
 #
 #   cmake/check_compiles.sh headers      every header alone, and the benchmarks
-#   cmake/check_compiles.sh compilers    the umbrella, the JSON headers, the README's program and the
-#                                        exact checker with g++ and clang 19 beside the headers of
+#   cmake/check_compiles.sh compilers    the umbrella, the JSON and ROS headers, the README's program
+#                                        and the exact checker with g++ and clang 19 beside the headers of
 #                                        Boost 1.81; every algorithm (the registries) with clang 19
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -31,7 +31,7 @@ case ${1:-} in
     {
       echo '#include "tutavia/tutavia.hpp"'
       echo '#include "tutavia/registry.hpp"'
-      git ls-files 'include/*_json.hpp' | sed 's|^include/\(.*\)|#include "\1"|'
+      git ls-files 'include/*_json.hpp' 'include/*_yaml.hpp' 'include/*_stb.hpp' | sed 's|^include/\(.*\)|#include "\1"|'
     } >$out/umbrella.cpp
     {
       ls $out/*.cpp tests/certify/exact_test.cpp | sed 's/.*/g++ &\nclang++-19 &/'

@@ -108,8 +108,9 @@ class Header:
         return self.module or self.name.removesuffix(".hpp")
 
     @property
-    def is_json(self):
-        return self.name.endswith("_json.hpp")
+    def is_optional(self):
+        """Whether the header needs a library of tutavia::json or tutavia::ros."""
+        return self.name.endswith(("_json.hpp", "_yaml.hpp", "_stb.hpp"))
 
     def includes(self):
         for number, line in enumerate(self.text.splitlines(), 1):
@@ -224,7 +225,7 @@ def check_umbrellas(headers):
         and name not in NOT_IN_UMBRELLA}}
     for module in modules:
         wanted[f"{module}.hpp"] = {h.name for h in headers.values()
-                                   if h.module == module and not h.is_machinery and not h.is_json
+                                   if h.module == module and not h.is_machinery and not h.is_optional
                                    and h.name not in WITH_BOOST}
     for umbrella, names in sorted(wanted.items()):
         if umbrella not in headers:

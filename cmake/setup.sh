@@ -25,6 +25,8 @@ need_command ninja ninja-build
 need_header eigen3/Eigen/Core libeigen3-dev
 need_header CLI/CLI.hpp libcli11-dev
 need_header nlohmann/json.hpp nlohmann-json3-dev
+need_header yaml-cpp/yaml.h libyaml-cpp-dev
+need_header stb/stb_image.h libstb-dev
 if [ "$mode" != demo ]; then
   need_header boost/multiprecision/cpp_int.hpp libboost-dev
   has_header catch2/catch.hpp || need_header catch2/catch_all.hpp catch2

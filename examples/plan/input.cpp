@@ -4,15 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "ros_input.hpp"
+#include "tutavia/grid/cell_costs.hpp"
 #include "tutavia/grid/safety_buffer.hpp"
 #include "tutavia/io/geo_json.hpp"
 #include "tutavia/io/moving_ai.hpp"
@@ -135,7 +139,13 @@ void refuse_self_crossing(const std::string& path, const Workspace& workspace) {
                    std::to_string(crossing.front()) + "] crosses itself (--strict)"};
 }
 
+/// --unknown means nothing where no cell can be unknown.
+void refuse_unknown(const Arguments& args) {
+  if (args.unknown != "blocked") throw UsageError{"--unknown is for ROS maps (--grid FILE.yaml)"};
+}
+
 Task load_workspace(const Arguments& args) {
+  refuse_unknown(args);
   if (args.buffer) {
     throw UsageError{"--buffer is for the cells of --grid; on a workspace give --radius R"};
   }
@@ -156,21 +166,45 @@ Task load_workspace(const Arguments& args) {
 struct CellMap {
   OccupancyGrid cells;
   CellOptions options;
+  MapFrame frame{};
+  std::optional<RosMap> ros_map{};
+  std::shared_ptr<const CellCosts> costs{};
+  std::size_t blocked_unknown = 0;
 };
 
-CellMap load_ros_map(const Arguments& args, CellOptions options) {
-  const RosMap map = value_or_throw(read_ros_map(args.grid));
-  print_warnings(args.grid, map.warnings);
-  if (map.yaw != 0) {
-    throw UsageError{args.grid +
-                     ": a map turned by its origin's yaw is not read here (turn the "
-                     "points with to_grid_frame of the library)"};
+/// Costs of unknown cells, times the length of a path there.
+std::shared_ptr<const CellCosts> costs_of_unknown(const RosMap& map, const OccupancyGrid& cells,
+                                                  double factor) {
+  auto costs = std::make_shared<CellCosts>(cells);
+  const auto extra = static_cast<std::uint8_t>(std::lround(32 * (factor - 1)));
+  auto value = map.values.begin();
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      if (*value++ < 0) costs->set({x, y}, extra);
+    }
   }
+  return costs;
+}
+
+CellMap load_ros_map(const Arguments& args, CellOptions options) {
+  RosMap map = load_ros_map_file(args.grid);
+  print_warnings(args.grid, map.warnings);
   options.resolution = map.resolution;
-  options.origin = map.origin;
-  const auto unknown =
-      args.unknown == "free" ? RosMap::UnknownCells::free : RosMap::UnknownCells::blocked;
-  return {value_or_throw(to_grid(map, unknown)), options};
+  if (map.yaw == 0) options.origin = map.origin;  // else that of the grid's own frame
+  const bool is_blocked = args.unknown == "blocked";
+  CellMap cells{value_or_throw(to_grid(
+                    map, is_blocked ? RosMap::UnknownCells::blocked : RosMap::UnknownCells::free)),
+                options, MapFrame(map)};
+  if (const auto factor = unknown_cost(args)) {
+    cells.costs = costs_of_unknown(map, cells.cells, *factor);
+  }
+  if (is_blocked) {
+    cells.blocked_unknown = static_cast<std::size_t>(
+        std::count_if(map.values.begin(), map.values.end(), [](int value) { return value < 0; }));
+  }
+  map.values.clear();
+  cells.ros_map = std::move(map);
+  return cells;
 }
 
 /// The cells of a MovingAI map; an error about swamp and water names the option of this program.
@@ -199,6 +233,10 @@ CellMap load_cells(const Arguments& args) {
   const std::string kind = extension(args.grid);
   if (args.terrain != "refused" && kind != ".map") throw UsageError{"--terrain is for .map files"};
   if (kind == ".yaml" || kind == ".yml") return load_ros_map(args, options);
+  refuse_unknown(args);
+  if (kind == ".pgm" || kind == ".png" || kind == ".bmp" || kind == ".jpg" || kind == ".jpeg") {
+    throw UsageError{args.grid + ": give the .yaml file that names this image"};
+  }
   if (kind != ".map") throw UsageError{args.grid + ": unknown kind of file (.map or .yaml)"};
   return {read_terrain(args), options};
 }
@@ -219,8 +257,8 @@ void add_cells_at(const CellMap& map, const Point& p, std::vector<Cell>& cells) 
 /// Blocks the safety buffer. The cells of start and goals in it stay free, which is said.
 void add_buffer(const Scene& scene, int width, CellMap& map) {
   std::vector<Cell> exempt;
-  add_cells_at(map, scene.start, exempt);
-  for (const Point& goal : scene.goals) add_cells_at(map, goal, exempt);
+  add_cells_at(map, map.frame.to_grid(scene.start), exempt);
+  for (const Point& goal : scene.goals) add_cells_at(map, map.frame.to_grid(goal), exempt);
   auto buffered = with_safety_buffer(map.cells, exempt, width);
   if (!buffered) throw UsageError{"--buffer: " + buffered.error().detail};
   map.cells = std::move(buffered->grid);
@@ -245,7 +283,11 @@ Task load_grid(const Arguments& args) {
   return {.scene = std::move(scene),
           .space = std::move(space),
           .y_down = extension(args.grid) == ".map",
-          .without_buffer = std::move(without_buffer)};
+          .without_buffer = std::move(without_buffer),
+          .frame = std::move(map.frame),
+          .ros_map = std::move(map.ros_map),
+          .costs = std::move(map.costs),
+          .blocked_unknown = map.blocked_unknown};
 }
 
 }  // namespace

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 
+#include "map_frame.hpp"
 #include "options.hpp"
 #include "planning_space.hpp"
+#include "tutavia/grid/cell_costs.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/io/ros_map.hpp"
 #include "tutavia/world/scene.hpp"
 
 /// \file
@@ -20,6 +25,11 @@ struct Task {
   bool y_down = false;  ///< in pictures
   /// The cells of the map before --buffer blocked some.
   std::optional<OccupancyGrid> without_buffer{};
+  /// Start and goals are in the map's frame, the space and its bounds in that of the grid.
+  MapFrame frame{};
+  std::optional<RosMap> ros_map{};           ///< without its values
+  std::shared_ptr<const CellCosts> costs{};  ///< of --unknown cost:N; null: all cells cost the same
+  std::size_t blocked_unknown = 0;           ///< unknown cells of a ROS map that are blocked
 };
 
 /// Loads what the command line names. Warnings of files go to stderr. Throws UsageError.

@@ -28,18 +28,29 @@ ResultHeader header_of(const Scene& scene, const Result& result) {
           used.smoother_options};
 }
 
+/// The frame of a map as map_server publishes it (nav_msgs/MapMetaData).
+nlohmann::ordered_json to_json(const RosMap& map) {
+  return {{"origin", {map.origin.x(), map.origin.y()}},
+          {"yaw", map.yaw},
+          {"resolution", map.resolution},
+          {"width", map.width},
+          {"height", map.height}};
+}
+
 }  // namespace
 
-void write_results(const std::string& path, const Scene& scene, const std::vector<Group>& groups) {
+void write_results(const std::string& path, const Task& task, const std::vector<Group>& groups) {
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   for (const Group& group : groups) {
     for (const Result& result : group) {
-      const ResultHeader header = header_of(scene, result);
+      const ResultHeader header = header_of(task.scene, result);
       results.push_back(result.plan ? result_to_json(header, *result.plan, result.optimum)
                                     : result_to_json(header, result.plan.error()));
     }
   }
-  const std::string text = result_file(std::move(results)).dump(1) + "\n";
+  nlohmann::ordered_json file = result_file(std::move(results));
+  if (task.ros_map) file["map"] = to_json(*task.ros_map);
+  const std::string text = file.dump(1) + "\n";
   if (path == "-") {
     std::cout << text << std::flush;
     if (!std::cout) throw UsageError{"cannot write to stdout"};

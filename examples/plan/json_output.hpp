@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "input.hpp"
 #include "result.hpp"
 #include "tutavia/world/scene.hpp"
 
@@ -14,8 +15,9 @@
 
 namespace plan_program {
 
-/// Writes the result file, or prints it if the path is "-". Throws UsageError.
-void write_results(const std::string& path, const Scene& scene, const std::vector<Group>& groups);
+/// Writes the result file, or prints it if the path is "-". Of a ROS map it has the frame, as
+/// `map`. Throws UsageError.
+void write_results(const std::string& path, const Task& task, const std::vector<Group>& groups);
 
 /// The file of --trace. It is written while the searches run and holds each search once, however
 /// many smoothers follow it. With an empty path it does nothing. Every member throws UsageError if

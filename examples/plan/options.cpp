@@ -27,9 +27,10 @@ void define_input_options(CLI::App& app, Arguments& args) {
   app.add_option("--grid", args.grid, "Grid map: MovingAI (.map) or ROS map_server (.yaml)")
       ->excludes(map)
       ->excludes("--workspace");
-  app.add_option("--unknown", args.unknown, "Unknown cells of a ROS map: blocked or free")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"blocked", "free"}));
+  app.add_option("--unknown", args.unknown,
+                 "Unknown cells of a ROS map: blocked, free, or cost:N for cells that astar and "
+                 "dijkstra cross at N times their length")
+      ->capture_default_str();
   app.add_option("--terrain", args.terrain,
                  "Swamp and water (S, W) of a MovingAI map: refused, blocked or free")
       ->capture_default_str()
@@ -156,8 +157,23 @@ std::optional<Arguments> parse_command_line(int argc, const char* const* argv) {
     return std::nullopt;
   }
   check_shown_parts(args);
+  unknown_cost(args);
   if (argc == 1) args.svg = "maze.svg";
   return args;
+}
+
+std::optional<double> unknown_cost(const Arguments& args) {
+  if (args.unknown == "blocked" || args.unknown == "free") return std::nullopt;
+  constexpr std::string_view prefix = "cost:";
+  const std::string_view text = args.unknown;
+  if (text.substr(0, prefix.size()) != prefix) {
+    throw UsageError{"--unknown: expected blocked, free or cost:N, got \"" + args.unknown + "\""};
+  }
+  const auto factor = parse_number(text.substr(prefix.size()));
+  if (!factor || !(*factor >= 1 && *factor <= 8.96)) {
+    throw UsageError{"--unknown cost:N: expected N from 1 to 8.96, got \"" + args.unknown + "\""};
+  }
+  return factor;
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {

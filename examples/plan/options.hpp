@@ -25,7 +25,7 @@ struct Arguments {
   std::string workspace{};
   std::string wkt_column{};
   std::string grid{};
-  std::string unknown = "blocked";
+  std::string unknown = "blocked";  ///< or free, or cost:N
   std::string terrain = "refused";
   std::string start{};
   std::vector<std::string> goals{};
@@ -54,6 +54,10 @@ struct Arguments {
 /// Reads the command line. For --help and --help-NAME it prints the help and returns nothing.
 /// Without any option the picture goes to maze.svg. Throws UsageError.
 std::optional<Arguments> parse_command_line(int argc, const char* const* argv);
+
+/// The N of --unknown cost:N: what unknown cells cost, times their length. Throws a UsageError for
+/// anything else than blocked, free and cost:N.
+std::optional<double> unknown_cost(const Arguments& args);
 
 /// The parts of a text between separators, including empty ones.
 std::vector<std::string> split(const std::string& text, char separator);

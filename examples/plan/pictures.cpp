@@ -61,18 +61,57 @@ OccupancyGrid newly_blocked(OccupancyGrid cells, const OccupancyGrid& before) {
   return cells;
 }
 
-/// Adds the blocked cells as obstacles, and the buffer as an area of its own.
+/// The corners of a box in the frame of the grid, counterclockwise, in that of the map.
+Ring corners_of(const Box& box, const MapFrame& frame) {
+  return {frame.to_map(box.min), frame.to_map(Point{box.max.x(), box.min.y()}),
+          frame.to_map(box.max), frame.to_map(Point{box.min.x(), box.max.y()})};
+}
+
+/// Draws a box by its edges, thin as those of trees: pictures have no turned boxes.
+void add_outline(const Box& box, const MapFrame& frame, SvgOptions& options) {
+  const Ring ring = corners_of(box, frame);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    options.tree.push_back({ring[i], ring[(i + 1) % ring.size()]});
+  }
+}
+
+/// Adds the blocked cells as obstacles, and the buffer as an area of its own. A turned map has its
+/// border and its buffer as outlines.
 void add_cells(const Task& task, const CellSpace& space, Workspace& workspace,
                SvgOptions& options) {
+  const MapFrame& frame = task.frame;
   const Point origin = space.bounds().min;
   const double side = space.frame().resolution;
   const OccupancyGrid& map = task.without_buffer ? *task.without_buffer : space.cells();
   for (const Box& box : blocked_boxes(map, origin, side)) {
-    workspace.obstacles.emplace_back(Polygon{
-        {box.min, Point{box.max.x(), box.min.y()}, box.max, Point{box.min.x(), box.max.y()}}});
+    workspace.obstacles.emplace_back(Polygon{corners_of(box, frame)});
   }
-  if (!task.without_buffer) return;
-  options.buffer = blocked_boxes(newly_blocked(space.cells(), map), origin, side);
+  if (task.without_buffer) {
+    options.buffer = blocked_boxes(newly_blocked(space.cells(), map), origin, side);
+  }
+  if (!frame.is_turned()) return;
+  workspace.bounds = Box::around({});
+  for (const Point& corner : corners_of(space.bounds(), frame)) workspace.bounds.include(corner);
+  add_outline(space.bounds(), frame, options);
+  for (const Box& box : std::exchange(options.buffer, {})) add_outline(box, frame, options);
+  options.cell_size = 0;  // no cell of the picture is a cell of the map
+}
+
+/// Adds what a search recorded. Rectangles of a turned map are outlines round their cells.
+void add_drawings(const Task& task, const Result& result, SvgOptions& options) {
+  using Kind = SearchRecord::Event::Kind;
+  SearchRecord record = result.drawings;
+  if (const auto* cells = std::get_if<CellSpace>(&task.space); cells && task.frame.is_turned()) {
+    for (const SearchRecord::Event& event : record.events) {
+      if (event.kind != Kind::rectangle) continue;
+      const Box rectangle{event.a, event.b};
+      add_outline(rectangle.inflated(cells->frame().resolution / 2), task.frame, options);
+    }
+    std::erase_if(record.events,
+                  [](const SearchRecord::Event& event) { return event.kind == Kind::rectangle; });
+  }
+  add_search(options, task.frame.to_map(std::move(record)),
+             result.plan ? result.plan->route.curve : Curve{});
 }
 
 /// What the legend and the notes call a result.
@@ -91,9 +130,10 @@ void add_failure(const Task& task, const Result& result, std::size_t goals, SvgO
 
 void add_critical_corners(const Task& task, const Result& result, SvgOptions& options) {
   if (result.algorithms.smoother != DeltaSmoother::name) return;
-  const auto corners = critical_corners_of(task.space, result.plan->route.curve,
-                                           result.algorithms.smoother_options.front());
-  options.critical_corners.insert(options.critical_corners.end(), corners.begin(), corners.end());
+  for (const Point& corner : critical_corners_of(task.space, result.route_in_grid,
+                                                 result.algorithms.smoother_options.front())) {
+    options.critical_corners.push_back(task.frame.to_map(corner));
+  }
 }
 
 }  // namespace
@@ -115,9 +155,7 @@ void draw(const Arguments& args, const Task& task, std::vector<Group> groups) {
   for (Group& group : groups) {
     const bool is_new = searches.insert(group.front().search).second;
     for (Result& result : group) {
-      if (is_new) {
-        add_search(options, result.drawings, result.plan ? result.plan->route.curve : Curve{});
-      }
+      if (is_new) add_drawings(task, result, options);
       if (!result.plan) {
         add_failure(task, result, group.size(), options);
         continue;

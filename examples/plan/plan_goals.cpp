@@ -52,18 +52,22 @@ Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
   const ShownParts shown = args.show.value_or(default_parts());
   const bool is_traced = trace.takes(search.text);
   const bool has_all_figures = args.compare || !args.json.empty();
-  const ChosenPlanner planner = make_planner(task.space, search, smoother);
+  const ChosenPlanner planner = make_planner(task.space, task.costs, search, smoother);
+  MapFrame frame = task.frame;
+  const Point start = frame.to_grid(task.scene.start);
   Group group;
   for (const Point& goal : task.scene.goals) {
     SearchRecord record{.keeps_nodes = is_traced || (is_drawn && shown.visited)};
-    Query query{.start = task.scene.start, .goal = goal, .seed = args.seed};
+    Query query{.start = start, .goal = frame.to_grid(goal), .seed = args.seed};
     if (args.time_limit) query.budget = Budget::for_seconds(*args.time_limit);
     group.push_back({search.text, smoother.text, planner.algorithms, goal,
                      planner.plan(query, is_drawn || is_traced ? &record : nullptr)});
     Result& result = group.back();
     if (!result.plan && !args.compare) add_remedy(task.space, query, result.plan.error());
     if (has_all_figures) add_figures(task.space, query, result);
-    if (is_traced) trace.write(task.scene, result, record);
+    if (result.plan) result.route_in_grid = result.plan->route.curve;
+    result.plan = frame.to_map(std::move(result.plan));
+    if (is_traced) trace.write(task.scene, result, frame.to_map(record));
     if (is_drawn) result.drawings = drawings_of(std::move(record), shown);
   }
   return group;

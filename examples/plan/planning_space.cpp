@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "registry.hpp"
@@ -51,9 +52,15 @@ Any refusing(Any algorithm, const std::string& option, const AlgorithmText& text
 }
 
 template <class S>
-AnySearch<S> make_search_on(const Algorithms<S>& all, const PipelineText& search) {
+AnySearch<S> make_search_on(const Algorithms<S>& all, const PipelineText& search,
+                            [[maybe_unused]] const std::shared_ptr<const CellCosts>& costs = {}) {
   const AlgorithmText& text = search.stages.front();
-  auto made = all.make_search(text.name, text.options);
+  auto made = [&] {
+    if constexpr (std::is_same_v<S, CellSpace>) {
+      if (costs != nullptr) return make_search_with_costs(text.name, text.options, costs);
+    }
+    return all.make_search(text.name, text.options);
+  }();
   if (!made) throw unusable("--search", text.name, made.error());
   return refusing(std::move(*made), "--search", text);
 }
@@ -117,12 +124,13 @@ void check_choices(const Choices& choices, bool on_grid_map) {
   }
 }
 
-ChosenPlanner make_planner(const PlanningSpace& any_space, const PipelineText& search,
-                           const PipelineText& smoother) {
+ChosenPlanner make_planner(const PlanningSpace& any_space,
+                           const std::shared_ptr<const CellCosts>& costs,
+                           const PipelineText& search, const PipelineText& smoother) {
   return std::visit(
       [&]<class S>(const S& space) -> ChosenPlanner {
         const Algorithms<S>& all = algorithms_on(space);
-        AnySearch<S> any_search = make_search_on(all, search);
+        AnySearch<S> any_search = make_search_on(all, search, costs);
         AnySmoother<S> any_smoother = make_smoother_on(all, smoother);
         UsedAlgorithms used{std::string(any_search.name), any_smoother.name, any_search.options,
                             any_smoother.options};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -9,6 +10,7 @@
 
 #include "names.hpp"
 #include "result.hpp"
+#include "tutavia/grid/cell_costs.hpp"
 #include "tutavia/planner.hpp"
 #include "tutavia/search/search_record.hpp"
 #include "tutavia/space/cell_space.hpp"
@@ -43,11 +45,13 @@ struct ChosenPlanner {
   UsedAlgorithms algorithms;
 };
 
-/// A planner with its own scratch memory. It keeps a reference to the space. Throws a UsageError
-/// for unknown names and options; so does `plan` where an algorithm with options given by the user
-/// answers `invalid_option`.
-ChosenPlanner make_planner(const PlanningSpace& space, const PipelineText& search,
-                           const PipelineText& smoother);
+/// A planner with its own scratch memory, for cells with these costs (null: they cost the same;
+/// \pre null, or cells and a search that `takes_costs`). It keeps a reference to the space. Throws
+/// a UsageError for unknown names and options; so does `plan` where an algorithm with options given
+/// by the user answers `invalid_option`.
+ChosenPlanner make_planner(const PlanningSpace& space,
+                           const std::shared_ptr<const CellCosts>& costs,
+                           const PipelineText& search, const PipelineText& smoother);
 
 /// The mean clearance of a curve over its length [m].
 double mean_clearance_of(const PlanningSpace& space, const Curve& curve);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "tutavia/any_algorithm.hpp"
 #include "tutavia/core/expected.hpp"
+#include "tutavia/grid/cell_costs.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/registry/algorithm_text.hpp"
 #include "tutavia/space/cell_space.hpp"
@@ -37,5 +39,13 @@ const Algorithms<tutavia::LatticeSpace>& lattice_algorithms();
 
 /// Algorithms for grid maps.
 const Algorithms<tutavia::CellSpace>& cell_algorithms();
+
+/// Whether a search takes the costs of cells.
+bool takes_costs(std::string_view search);
+
+/// A search on cells with costs. Errors: those of `make_search`; `invalid_option` if it takes none.
+tutavia::Expected<tutavia::AnySearch<tutavia::CellSpace>, tutavia::Failure> make_search_with_costs(
+    std::string_view search, std::span<const tutavia::OptionText> options,
+    const std::shared_ptr<const tutavia::CellCosts>& costs);
 
 }  // namespace plan_program

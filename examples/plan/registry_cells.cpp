@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/registry.hpp"
 
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
 #include "registry.hpp"
 
 namespace plan_program {
@@ -11,6 +16,43 @@ const Algorithms<tutavia::CellSpace>& cell_algorithms() {
                                      tutavia::all_smoothers<Space>(), &tutavia::make_search<Space>,
                                      &tutavia::make_smoother<Space>};
   return all;
+}
+
+namespace {
+
+using tutavia::AStar;
+using tutavia::CellSpace;
+using tutavia::Dijkstra;
+using tutavia::Failure;
+
+template <class A>
+tutavia::Expected<tutavia::AnySearch<CellSpace>, Failure> with_costs(
+    std::span<const tutavia::OptionText> options,
+    const std::shared_ptr<const tutavia::CellCosts>& costs) {
+  A search{};
+  tutavia::detail::OptionSetter setter(A::name, tutavia::detail::OptionTable<A>::fields.all,
+                                       options);
+  setter.set(&search);
+  if (!setter.result()) return tutavia::Unexpected{setter.result().error()};
+  search.costs = costs;
+  auto any = tutavia::erase_search<CellSpace>(search);
+  any.options = setter.settings();
+  return any;
+}
+
+}  // namespace
+
+bool takes_costs(std::string_view search) {
+  return search == AStar::name || search == Dijkstra::name;
+}
+
+tutavia::Expected<tutavia::AnySearch<CellSpace>, Failure> make_search_with_costs(
+    std::string_view search, std::span<const tutavia::OptionText> options,
+    const std::shared_ptr<const tutavia::CellCosts>& costs) {
+  if (search == AStar::name) return with_costs<AStar>(options, costs);
+  if (search == Dijkstra::name) return with_costs<Dijkstra>(options, costs);
+  return tutavia::fail(tutavia::PlanError::invalid_option,
+                       std::string(search) + ": takes no costs of cells");
 }
 
 }  // namespace plan_program

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tutavia/geometry/curve.hpp"
 #include "tutavia/planner.hpp"
 #include "tutavia/registry/option_value.hpp"
 #include "tutavia/search/search_record.hpp"
@@ -24,7 +25,7 @@ struct UsedAlgorithms {
   std::vector<OptionSettings> smoother_options{};  ///< of each stage of a pipeline
 };
 
-/// The result for one goal, with all data for tables, files and pictures.
+/// The result for one goal, with all data for tables, files and pictures; in the map's frame.
 struct Result {
   std::string search;    ///< as the user wrote it, with the options given
   std::string smoother;  ///< the same
@@ -33,7 +34,9 @@ struct Result {
   Expected<Plan, Failure> plan;
   std::optional<double> optimum{};      ///< length of the shortest path [m], if it is known
   std::optional<double> taut_length{};  ///< of the route when pulled taut [m], if requested
-  SearchRecord drawings{};              ///< what the search recorded for the picture
+  /// What the search recorded for the picture, in the frame of the grid.
+  SearchRecord drawings{};
+  Curve route_in_grid{};  ///< the route in the frame of the grid; empty without a plan
 };
 
 /// The results of one search with one smoother for every goal.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <iostream>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,7 +16,9 @@
 #include "pictures.hpp"
 #include "plan_goals.hpp"
 #include "planning_space.hpp"
+#include "registry.hpp"
 #include "table.hpp"
+#include "usage_error.hpp"
 
 namespace plan_program {
 
@@ -23,7 +26,7 @@ namespace {
 
 void add_taut_lengths(const PlanningSpace& space, Group& group) {
   for (Result& result : group) {
-    if (result.plan) result.taut_length = taut_length_of(space, result.plan->route.curve);
+    if (result.plan) result.taut_length = taut_length_of(space, result.route_in_grid);
   }
 }
 
@@ -71,6 +74,26 @@ std::vector<Group> combine(const Task& task, const Arguments& args, const Choice
   return groups;
 }
 
+/// Costs of cells are for searches that take them.
+void check_costs(const Arguments& args, const Choices& chosen) {
+  if (!unknown_cost(args)) return;
+  const std::string option = "--unknown " + args.unknown;
+  if (args.compare) throw UsageError{option + ": --compare runs searches that take no costs"};
+  for (const PipelineText& search : chosen.searches) {
+    const std::string& name = search.stages.front().name;
+    if (takes_costs(name)) continue;
+    std::string message = option;
+    message.append(": ").append(name);
+    throw UsageError{message + " takes no costs of cells; give --search astar or dijkstra"};
+  }
+  for (const PipelineText& smoother : chosen.smoothers) {
+    if (smoother.text == "none") continue;
+    std::cerr << "tutavia-plan: " << option << ": smoothers know no costs, and " << smoother.text
+              << " may lead through unknown cells that the search avoids; --smoother none keeps "
+                 "its route\n";
+  }
+}
+
 bool is_complete(const std::vector<Group>& groups) {
   return std::all_of(groups.begin(), groups.end(), [](const Group& group) {
     return std::all_of(group.begin(), group.end(),
@@ -88,6 +111,7 @@ int run(const Arguments& args) {
   // Unknown names and options are rejected before any file is loaded.
   const Choices chosen = parse_choices(args);
   check_choices(chosen, !args.grid.empty());
+  check_costs(args, chosen);
   const Task task = load_task(args);
   if (args.prints_tables()) print_task(args, task);
   TraceFile trace(args.trace);
@@ -96,11 +120,17 @@ int run(const Arguments& args) {
   std::fflush(stdout);
   const bool complete = is_complete(groups);
 
-  if (!args.json.empty()) write_results(args.json, task.scene, groups);
+  if (!args.json.empty()) write_results(args.json, task, groups);
   trace.close();
   if (!args.svg.empty()) {
     draw(args, task, std::move(groups));
     if (args.prints_tables()) std::printf("\npicture: %s\n", args.svg.c_str());
+  }
+  if (!complete && task.blocked_unknown > 0) {
+    std::fprintf(stderr,
+                 "tutavia-plan: %s: %zu unknown cells are blocked; --unknown free or cost:N lets "
+                 "paths cross them\n",
+                 args.grid.c_str(), task.blocked_unknown);
   }
   return complete ? 0 : 1;
 }

@@ -139,12 +139,17 @@ void print_plan(const std::string& goal, const Plan& plan) {
               remarks_on(plan).c_str());
 }
 
-void print_grid(const Scene& scene, const CellSpace& space) {
+void print_grid(const Task& task, const CellSpace& space) {
+  const Scene& scene = task.scene;
   std::printf("%s: %d x %d cells of %s m, safety radius %s m, start %s\n", scene.name.c_str(),
               space.cells().width(), space.cells().height(),
               detail::number_text(space.frame().resolution).c_str(),
               detail::number_text(space.safety_radius()).c_str(),
               detail::to_text(scene.start).c_str());
+  if (!task.frame.is_turned()) return;
+  std::printf("the map is turned by %s rad about its origin %s; points are in the map's frame\n",
+              detail::number_text(task.frame.yaw()).c_str(),
+              detail::to_text(task.ros_map->origin).c_str());
 }
 
 void print_workspace(const std::string& name, const Scene& scene) {
@@ -194,7 +199,7 @@ void print_names(const Names& lattice, const Names& cell) {
 
 void print_task(const Arguments& args, const Task& task) {
   if (const auto* cells = std::get_if<CellSpace>(&task.space)) {
-    print_grid(task.scene, *cells);
+    print_grid(task, *cells);
   } else {
     print_workspace(task.scene.name.empty() ? args.workspace : task.scene.name, task.scene);
   }

@@ -568,14 +568,6 @@ TEST_CASE("grid maps are planned on their cells, and bad ones refused with the p
   CHECK(folder.run(task + "--radius 0.5").code == 0);  // exactly as wide as the corridor
   CHECK(folder.run(task + "--radius 0.51").code == 1);
 
-  folder.write("floor.pgm", "P2 3 2 255 254 0 254 254 205 254\n");
-  folder.write("floor.yaml",
-               "image: floor.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\nnegate: 0\n"
-               "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
-  const std::string ros = "--grid floor.yaml --start -0.75,2.25 --goal 0.25,2.25 ";
-  CHECK(folder.run(ros).code == 1);
-  CHECK(folder.run(ros + "--unknown free").code == 0);
-
   const auto refused = [&](const std::string& arguments, const std::string& part) {
     const Outcome outcome = folder.run(arguments);
     INFO(arguments << ": " << outcome.err);

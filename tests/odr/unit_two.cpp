@@ -4,6 +4,9 @@
 /// library does without Boost.
 
 #include "tutavia/io/plan_json.hpp"
+#ifdef TUTAVIA_TESTS_ROS
+#include "tutavia/io/ros_map_yaml.hpp"
+#endif
 #include "tutavia/io/workspace_json.hpp"
 #include "tutavia/registry.hpp"
 #include "tutavia/tutavia.hpp"

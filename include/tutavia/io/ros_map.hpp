@@ -4,23 +4,16 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
-#include "tutavia/io/text/parse_error.hpp"
-#include "tutavia/io/text/pgm.hpp"
-#include "tutavia/io/text/read_file.hpp"
-#include "tutavia/io/text/yaml_subset.hpp"
 #include "tutavia/plan/failure.hpp"
 
 /// \file
-/// ROS maps: the YAML and PGM files of map_server and nav2_map_server, and nav2's costmaps.
+/// ROS maps as grids, and nav2's costmaps. io/ros_map_yaml.hpp reads the files of map_server.
 
 namespace tutavia {
 
@@ -36,79 +29,10 @@ struct RosMap {
   double resolution = 1;                ///< side of a cell [m]
   Point origin = Point::Zero();         ///< lower left corner of the map, in the map frame [m]
   double yaw = 0;                       ///< of the map's rows in the map frame, left positive [rad]
-  std::vector<std::string> warnings{};  ///< ignored parts of the file, one line each
+  std::vector<std::string> warnings{};  ///< doubts about the files, one line each
 };
 
 namespace detail {
-
-/// The contents of the YAML file of a map. Size and values of `map` come from the image.
-struct RosMapYaml {
-  RosMap map{};
-  std::string image{}, mode = "trinary";
-  bool negate = false;
-  double occupied_thresh = 0, free_thresh = 0;
-};
-
-inline RosMapYaml read_ros_map_yaml(YamlSubset& file) {
-  constexpr double max = std::numeric_limits<double>::max();
-  RosMapYaml yaml;
-  yaml.image = file.value("image");
-  yaml.map.resolution = file.number("resolution", 5e-324, max, "a number above 0");
-  const auto origin = [&](std::size_t i) {
-    return file.number("origin", -max, max, "x, y and yaw", i, 3);
-  };
-  yaml.map.origin = {origin(0), origin(1)};
-  yaml.map.yaw = origin(2);
-  const std::string& negate = file.value("negate");
-  yaml.negate = negate == "1" || negate == "true";
-  if (!yaml.negate && negate != "0" && negate != "false") file.reject("negate: 0 or 1", negate);
-  yaml.occupied_thresh = file.number("occupied_thresh", 0, 1, "a number from 0 to 1");
-  yaml.free_thresh =
-      file.number("free_thresh", 0, yaml.occupied_thresh, "a number from 0 to occupied_thresh");
-  if (file.has("mode")) yaml.mode = file.value("mode");
-  if (yaml.mode != "trinary" && yaml.mode != "scale" && yaml.mode != "raw") {
-    file.reject("mode: trinary, scale or raw", yaml.mode);
-  }
-  yaml.map.warnings = file.warnings();
-  if (yaml.negate && yaml.mode == "raw") {
-    yaml.map.warnings.emplace_back("negate changes nothing in raw mode");
-  }
-  return yaml;
-}
-
-inline Expected<RosMapYaml, Failure> parse_ros_map_yaml(std::string_view text) {
-  return parse_or_fail([&] {
-    YamlSubset file(text);
-    return read_ros_map_yaml(file);
-  });
-}
-
-inline RosMap make_ros_map(const RosMapYaml& yaml, const PgmImage& image) {
-  RosMap map = yaml.map;
-  map.width = image.width;
-  map.height = image.height;
-  const bool raw = yaml.mode == "raw", trinary = yaml.mode == "trinary";
-  const double white = image.max_value, free = yaml.free_thresh, occupied = yaml.occupied_thresh;
-  const auto value = [&](int pixel) -> long {
-    if (raw) {
-      const long shade = std::lround(255 * pixel / white);
-      return shade <= 100 ? shade : -1;
-    }
-    const double occupancy = (yaml.negate ? pixel : white - pixel) / white;
-    if (occupancy > occupied) return 100;
-    if (occupancy < free) return 0;
-    if (trinary) return -1;
-    return free == occupied ? 100 : std::lrint((occupancy - free) / (occupied - free) * 100);
-  };
-  map.values.reserve(image.pixels.size());
-  for (std::ptrdiff_t row = image.height; row-- > 0;) {
-    for (std::ptrdiff_t column = 0; column < image.width; ++column) {
-      const auto i = static_cast<std::size_t>(row * image.width + column);
-      map.values.push_back(static_cast<std::int8_t>(value(image.pixels[i])));
-    }
-  }
-  return map;
-}
 
 /// The grid whose cells are free where `is_free` holds for their value.
 template <class Value, class IsFree>
@@ -130,38 +54,6 @@ Expected<OccupancyGrid, Failure> make_grid(std::span<const Value> values, int wi
 }
 
 }  // namespace detail
-
-/// Parses a map from its YAML text and its image. Every key is required except `mode` (default:
-/// trinary); unknown keys become warnings.
-///
-/// With occupancy = 1 - pixel / white, or pixel / white with `negate`:
-/// - trinary: 100 above `occupied_thresh`, 0 below `free_thresh`, unknown otherwise
-/// - scale: the same, but linear in between, rounded to whole numbers
-/// - raw: the pixel itself, on a scale with white = 255, up to 100; unknown above. `negate`
-///   changes nothing.
-///
-/// This follows nav2 up to Humble and, in trinary mode, ROS 1. Later versions of nav2 treat a pixel
-/// exactly at a threshold as occupied or free; here it is unknown.
-///
-/// The supported subset of YAML is one scalar or list per key. Errors: `invalid_input` with the
-/// line of anything else, or the byte of the image; `limit_exceeded` as in `parse_pgm`.
-inline Expected<RosMap, Failure> parse_ros_map(std::string_view yaml, std::string_view pgm) {
-  const auto head = detail::parse_ros_map_yaml(yaml);
-  if (!head) return Unexpected{head.error()};
-  const auto image = detail::parse_pgm(pgm);
-  if (!image) return Unexpected{image.error()};
-  return detail::make_ros_map(*head, *image);
-}
-
-/// Reads a YAML file and its image with `parse_ros_map`. A relative image path starts at the folder
-/// of the YAML file. Details of failures start with the file's name.
-inline Expected<RosMap, Failure> read_ros_map(const std::filesystem::path& yaml_path) {
-  const auto head = detail::read_file(yaml_path, detail::parse_ros_map_yaml);
-  if (!head) return Unexpected{head.error()};
-  const auto image = detail::read_file(yaml_path.parent_path() / head->image, detail::parse_pgm);
-  if (!image) return Unexpected{image.error()};
-  return detail::make_ros_map(*head, *image);
-}
 
 /// The map as a grid; row 0 is the map's bottom row. In the grid frame, cell (x, y) is the square
 /// from (x, y) to (x + 1, y + 1), times the resolution.
