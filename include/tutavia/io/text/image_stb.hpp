@@ -7,6 +7,7 @@
 #include <climits>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -50,7 +51,6 @@ class ImageReader {
       check_jpeg();
     }
     check_size();
-    if (is_bmp(bytes_)) check_bmp();
     return stbi_is_16_bit_from_memory(data(), size()) != 0 ? load(stbi_load_16_from_memory, 65535)
                                                            : load(stbi_load_from_memory, 255);
   }
@@ -100,10 +100,12 @@ class ImageReader {
   }
 
   void check_size() const {
-    int width = 0, height = 0, channels = 0;
-    if (stbi_info_from_memory(data(), size(), &width, &height, &channels) == 0) {
+    int width = 0, signed_height = 0, channels = 0;
+    if (stbi_info_from_memory(data(), size(), &width, &signed_height, &channels) == 0) {
       reject(stbi_failure_reason());
     }
+    const std::int64_t height = std::abs(std::int64_t{signed_height});  // of a BMP from the top
+    if (width <= 0 || height == 0) reject("its width or height is not above 0");
     const std::int64_t pixels = std::int64_t{width} * height;
     const std::string extent = std::to_string(width) + " x " + std::to_string(height) + " pixels";
     if (pixels > max_pixels) {
@@ -113,6 +115,7 @@ class ImageReader {
     }
     // A byte of DEFLATE, the tightest of these formats, unpacks to at most 1032 bytes.
     if (pixels / 8 > 1032 * std::int64_t{size()}) reject(extent + " do not fit into its data");
+    if (is_bmp(bytes_)) check_bmp(width, height);
   }
 
   /// stb_image checks no checksum.
@@ -162,23 +165,17 @@ class ImageReader {
   }
 
   /// stb_image reads missing pixels as black. \pre stb_image knows the header
-  void check_bmp() const {
-    const auto little_endian = [&](std::size_t at, int count) {
+  void check_bmp(std::int64_t width, std::int64_t height) const {
+    if (bytes_.size() < 30) reject("cut short");
+    const auto little_endian = [&](std::size_t at, std::size_t count) {
       std::int64_t value = 0;
-      for (int i = count; i-- > 0;) {
-        value = value << 8 | static_cast<unsigned char>(bytes_[at + static_cast<std::size_t>(i)]);
-      }
+      while (count-- > 0) value = value << 8 | static_cast<unsigned char>(bytes_[at + count]);
       return value;
     };
-    if (bytes_.size() < 34) reject("cut short");
-    const bool is_old = little_endian(14, 4) == 12;
-    if (!is_old && (bytes_.size() < 54)) reject("cut short");
-    const std::int64_t width = little_endian(18, is_old ? 2 : 4);
-    std::int64_t height = is_old ? little_endian(20, 2) : little_endian(22, 4);
-    if (!is_old) height = std::abs(static_cast<std::int64_t>(static_cast<std::int32_t>(height)));
-    const std::int64_t bits = little_endian(is_old ? 24 : 28, 2);
+    const bool is_old = little_endian(14, 4) == 12;  // its header has 12 bytes, width and height 2
+    const std::int64_t pixels_at = little_endian(10, 4), bits = little_endian(is_old ? 24 : 28, 2);
     const std::int64_t row = (width * bits + 31) / 32 * 4;
-    if (little_endian(10, 4) + row * height > std::int64_t{size()}) reject("cut short");
+    if (bits > 32 || pixels_at + row * height > std::int64_t{size()}) reject("cut short");
   }
 
   [[noreturn]] void reject(const std::string& reason) const {
