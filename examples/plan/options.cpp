@@ -28,8 +28,8 @@ void define_input_options(CLI::App& app, Arguments& args) {
       ->excludes(map)
       ->excludes("--workspace");
   app.add_option("--unknown", args.unknown,
-                 "Unknown cells of a ROS map: blocked, free, or cost:N for cells that astar and "
-                 "dijkstra cross at N times their length")
+                 "Unknown cells of a ROS map: blocked, free, or cost:N for cells that auto, astar "
+                 "and dijkstra cross at N times their length")
       ->capture_default_str();
   app.add_option("--terrain", args.terrain,
                  "Swamp and water (S, W) of a MovingAI map: refused, blocked or free")

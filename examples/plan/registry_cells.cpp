@@ -21,6 +21,7 @@ const Algorithms<tutavia::CellSpace>& cell_algorithms() {
 namespace {
 
 using tutavia::AStar;
+using tutavia::AutoSearch;
 using tutavia::CellSpace;
 using tutavia::Dijkstra;
 using tutavia::Failure;
@@ -43,12 +44,13 @@ tutavia::Expected<tutavia::AnySearch<CellSpace>, Failure> with_costs(
 }  // namespace
 
 bool takes_costs(std::string_view search) {
-  return search == AStar::name || search == Dijkstra::name;
+  return search == AutoSearch::name || search == AStar::name || search == Dijkstra::name;
 }
 
 tutavia::Expected<tutavia::AnySearch<CellSpace>, Failure> make_search_with_costs(
     std::string_view search, std::span<const tutavia::OptionText> options,
     const std::shared_ptr<const tutavia::CellCosts>& costs) {
+  if (search == AutoSearch::name && options.empty()) return with_costs<AStar>(options, costs);
   if (search == AStar::name) return with_costs<AStar>(options, costs);
   if (search == Dijkstra::name) return with_costs<Dijkstra>(options, costs);
   return tutavia::fail(tutavia::PlanError::invalid_option,

@@ -259,7 +259,7 @@ TEST_CASE("unknown cells of a ROS map are blocked, free, or cost a multiple of t
   CHECK(length("--unknown blocked") == Approx(16));
   CHECK(length("--unknown free") == Approx(6));
   for (const std::string search :
-       {"--search astar", "--search dijkstra", "--search astar:heuristic=euclidean"}) {
+       {"", "--search astar", "--search dijkstra", "--search astar:heuristic=euclidean"}) {
     CAPTURE(search);
     // The straight way costs 6 steps, of which 5 are unknown: 1 + 5 N.
     CHECK(length(search + " --unknown cost:1") == Approx(6));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tutavia/io/text/source_text.hpp"
 
 /// \file
 /// GreyImage: what the readers of images return.
@@ -46,17 +46,11 @@ class ChannelMean {
 
 /// The beginning of unexpected bytes: printable text in quotes, or "byte 0xC3".
 inline std::string shown_bytes(std::string_view bytes) {
-  const auto is_printable = [](char c) { return ' ' <= c && c <= '~'; };
   if (bytes.empty()) return "the end of the file";
-  if (!is_printable(bytes.front())) {
-    std::array<char, 16> text{};
-    std::snprintf(text.data(), text.size(), "byte 0x%02X",
-                  static_cast<unsigned>(static_cast<unsigned char>(bytes.front())));
-    return text.data();
-  }
+  if (!is_printable(bytes.front())) return std::string("byte ").append(hex_text(bytes.front()));
   std::size_t end = 0;
   while (end < bytes.size() && end < 20 && is_printable(bytes[end])) ++end;
-  return std::string("\"").append(bytes.substr(0, end)).append("\"");
+  return shown_text(bytes.substr(0, end));
 }
 
 }  // namespace tutavia::detail
