@@ -13,6 +13,7 @@
 #include "tutavia/core/parts/number_text.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/optimum.hpp"
+#include "tutavia/search/astar.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "usage_error.hpp"
 
