@@ -167,6 +167,12 @@ TEST_CASE("the tangent graph's paths are those of trying everything", "[soak]") 
     }
     ++paths;
     if (route->curve.pieces().size() > 1) ++bent;
+    if (expected == std::numeric_limits<double>::infinity()) {  // an end touches a safety zone
+      CHECK((*detail::step_off_zone(space, start) != start ||
+             *detail::step_off_zone(space, goal) != goal));
+      CHECK(certify(space, route->curve).status == ProofStatus::proved);
+      continue;
+    }
     CHECK(route->cost == Approx(expected).epsilon(1e-9));
     CHECK(route->curve.start() == start);
     CHECK(route->curve.end() == goal);
@@ -272,6 +278,23 @@ TEST_CASE("with a shrinking disc the length becomes that among points") {
     CHECK(route->cost >= std::min(point, above));
     last = route->cost;
   }
+}
+
+TEST_CASE("a path leads from an end at exactly the safety radius, and between two zones") {
+  const auto space = space_with({Polygon{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}}, 0.1);
+  const Query query{.start = {1.1, 0.3}, .goal = {-1.1, 0.3}};
+  const auto route = search(space, query);
+  REQUIRE(route);
+  CHECK(route->curve.start() == query.start);
+  CHECK(route->curve.end() == query.goal);
+  CHECK(certify(space, route->curve).status == ProofStatus::proved);
+  CHECK(route->cost == Approx(2 * 0.7 + 2 + pi * 0.1).epsilon(1e-9));
+  // In a corridor just as wide as the robot there is no room to step aside.
+  const auto tight =
+      space_with({Polygon{{{-9, 1}, {9, 1}, {9, 2}, {-9, 2}}},
+                  Polygon{{{-9, -2}, {9, -2}, {9, -1}, {-9, -1}}}, Disc{{0, 0}, 0.5}},
+                 1);
+  CHECK(search(tight, {.start = {-5, 0}, .goal = {5, 0}}).error().code == PlanError::not_proved);
 }
 
 TEST_CASE("bad bounds and bad ends are refused") {

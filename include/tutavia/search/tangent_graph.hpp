@@ -14,6 +14,7 @@
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/grid/search_context.hpp"
 #include "tutavia/search/query_checks.hpp"
+#include "tutavia/search/tangent/step_off_zone.hpp"
 #include "tutavia/search/tangent/tangent_search.hpp"
 #include "tutavia/search/tangent_visibility_graph.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -31,8 +32,9 @@ namespace tutavia {
 /// The search is A* over the edges. Edges are generated when an edge before them is expanded, and
 /// proved when they are popped. Polygons may have holes, touch, overlap, contain one another or
 /// have no area. A gap of twice the radius, up to the same rounding errors, counts as closed. The
-/// route is smooth and lies in free space. O(m n) edges are generated for n vertices and m
-/// expansions; with prepared tangents, only the proved edges.
+/// route is smooth and lies in free space. If start or goal lies within rounding of the safety
+/// radius, the route may begin or end with a segment of a few rounding errors. O(m n) edges are
+/// generated for n vertices and m expansions; with prepared tangents, only the proved edges.
 ///
 /// At safety radius 0 it is the visibility graph of the vertices (Lozano-Perez and Wesley 1979, "An
 /// algorithm for planning collision-free paths among polyhedral obstacles"). The route is a
@@ -74,6 +76,19 @@ struct TangentGraph {
   template <FeatureSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const;
+
+ private:
+  /// The search between valid ends.
+  template <FeatureSpace S, Observer O>
+  Expected<Route, Failure> search_tangents(const S& space, const Query& query,
+                                           const TangentVisibilityGraph& map, Scratch& scratch,
+                                           O& observer) const;
+  /// The same where an end touches a safety zone: from points a few rounding errors beside the
+  /// ends.
+  template <FeatureSpace S, Observer O>
+  Expected<Route, Failure> search_beside(const S& space, const Query& query,
+                                         const TangentVisibilityGraph& map, Scratch& scratch,
+                                         O& observer, Failure failure) const;
 };
 
 template <FeatureSpace S, Observer O>
@@ -93,16 +108,52 @@ Expected<Route, Failure> TangentGraph::search(const S& space, const Query& query
       tangents == nullptr ? std::optional<TangentVisibilityGraph>(TangentVisibilityGraph(space))
                           : std::nullopt;
   const TangentVisibilityGraph& map = own ? *own : *tangents;
+  auto found = search_tangents(space, query, map, scratch, observer);
+  if (found || found.error().code != PlanError::not_proved) return found;
+  return search_beside(space, query, map, scratch, observer, std::move(found.error()));
+}
+
+template <FeatureSpace S, Observer O>
+Expected<Route, Failure> TangentGraph::search_tangents(const S& space, const Query& query,
+                                                       const TangentVisibilityGraph& map,
+                                                       Scratch& scratch, O& observer) const {
   detail::SearchContext<S, O> context{space, query, observer};
   detail::TangentSearch search(context, map, bound, scratch);
   if (auto found = search.run(); !found) {
     found.error().stats = context.statistics;
     return std::move(found).unexpected();
   }
-  route.stats = context.statistics;
-  route.curve = search.curve();
+  Route route{.curve = search.curve(), .stats = context.statistics};
   route.cost = route.curve.length();
   return route;
+}
+
+template <FeatureSpace S, Observer O>
+Expected<Route, Failure> TangentGraph::search_beside(const S& space, const Query& query,
+                                                     const TangentVisibilityGraph& map,
+                                                     Scratch& scratch, O& observer,
+                                                     Failure failure) const {
+  const auto start = detail::step_off_zone(space, query.start);
+  const auto goal = detail::step_off_zone(space, query.goal);
+  if (!start || !goal || (*start == query.start && *goal == query.goal)) {
+    return Unexpected{std::move(failure)};
+  }
+  Query beside = query;
+  beside.start = *start;
+  beside.goal = *goal;
+  beside.budget.max_expansions -= failure.stats.expanded;
+  auto found = search_tangents(space, beside, map, scratch, observer);
+  Statistics& stats = found ? found->stats : found.error().stats;
+  stats.expanded += failure.stats.expanded;
+  stats.generated += failure.stats.generated;
+  if (!found) return found;
+  Curve curve;
+  if (*start != query.start) curve.push_back(Segment{query.start, *start});
+  for (const Piece& piece : found->curve.pieces()) curve.push_back(piece);
+  if (*goal != query.goal) curve.push_back(Segment{*goal, query.goal});
+  found->curve = std::move(curve);
+  found->cost = found->curve.length();
+  return found;
 }
 
 }  // namespace tutavia
