@@ -166,7 +166,7 @@ std::optional<double> optimum_of(const PlanningSpace& any_space, const Query& qu
 std::string remedy_of(const PlanningSpace& any_space, const Query& query) {
   const auto optimum = optimum_of(any_space, query, std::numeric_limits<double>::infinity());
   if (!optimum) return "";
-  std::string remedy = "; --search auto finds a path of " + detail::number_text(*optimum) + " m";
+  std::string remedy = "; --search auto finds a path of " + std::to_string(*optimum) + " m";
   const auto* space = std::get_if<LatticeSpace>(&any_space);
   if (space == nullptr) return remedy;
   constexpr std::int64_t most_nodes = 1 << 22;  // about a second

@@ -188,7 +188,7 @@ TEST_CASE("tables, pictures, traces and failures of a turned ROS map are in its 
   INFO(shown.err);
   REQUIRE(shown.code == 0);
   CHECK(has_part(shown.out, "start (9.8, 20.3)"));
-  CHECK(has_part(shown.out, "turned by 1.5708 rad about its origin (10, 20)"));
+  CHECK(has_part(shown.out, "turned by 1.5707963267948966 rad about its origin (10, 20)"));
   CHECK(has_part(shown.out, "\n(8.7, 21.7) "));
   CHECK(has_part(folder.read("p.svg"), "</svg>"));
   std::istringstream trace(folder.read("t.jsonl"));

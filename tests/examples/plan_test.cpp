@@ -346,7 +346,7 @@ TEST_CASE("a path that the lattice misses is found by default, and named as the 
   const Outcome none = folder.run("--workspace slot.json --search astar");
   CHECK(none.code == 1);
   CHECK(contains(none.out, "unreachable_at_resolution"));
-  CHECK(contains(none.out, "--search auto finds a path of 4.4"));
+  CHECK(contains(none.out, "--search auto finds a path of 4.50"));
   CHECK(contains(none.out, " m, --resolution 0.0"));
 }
 
@@ -526,7 +526,7 @@ TEST_CASE("every row of the input contract can be reached from the command line"
   const Outcome blocked = world(R"({"bbox":[1.25,4,2,6]})");
   CHECK(blocked.code == 1);
   CHECK(contains(blocked.out, "start_blocked"));
-  CHECK(contains(blocked.out, "nearest safe point is (0.75"));
+  CHECK(contains(blocked.out, "nearest safe point is (0.7"));
   world("");
   const Outcome point = folder.run("--workspace w.json --goal 1,5");
   CHECK(point.code == 0);
@@ -743,7 +743,7 @@ TEST_CASE("the option --help-NAME prints the options of any algorithm") {
       ++names;
     }
   }
-  CHECK(names == 35);
+  CHECK(names == 36);
   const Outcome tree = folder.run("--help-rrt_star");
   CHECK(lines(tree.out) == 8);  // the name, how options are given, the head and five options
   CHECK(contains(tree.out, "iterations "));

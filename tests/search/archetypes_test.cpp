@@ -71,10 +71,11 @@ TEST_CASE("every search works on any space that has the operations its concept n
   runs.on<FreeArchetype>(Rrt{}, RrtStar{}, RrtConnect{}, InformedRrtStar{});
   runs.on<ClearanceArchetype>(SafeRrtStar{});
   runs.on<FeatureArchetype>(TangentGraph{});
+  runs.on<WorkspaceArchetype>(AutoSearch{});
   runs.on<GridArchetype>(Dijkstra{}, AStar{}, WeightedAStar{}, CanonicalAStar{},
                          BidirectionalAStar{}, PenaltyAStar{}, SsaAStar{}, AntColony{},
-                         JpsPlus{*JpsPlus::prepare(GridArchetype{})});
-  runs.on<JumpArchetype>(Jps{});
+                         JpsPlus{*JpsPlus::prepare(GridArchetype{})}, AutoSearch{});
+  runs.on<JumpArchetype>(Jps{}, AutoSearch{});
   runs.on<SightArchetype>(ThetaStar{}, LazyThetaStar{});
   runs.on<StepSightArchetype>(ThetaStar{}, LazyThetaStar{});
   runs.on<JumpSightArchetype>(JpsThetaStar{},
@@ -121,8 +122,10 @@ TEST_CASE("the registry lists the searches that work on a space") {
   const auto free = all_searches<FreeArchetype>();
   CHECK(free.size() == 4);
   CHECK(count(free, "rrt") == 1);
-  CHECK(count(all_searches<FeatureArchetype>(), "tangent_graph") == 0);
-  CHECK(count(all_searches<WorkspaceArchetype>(), "tangent_graph") == 1);
+  CHECK(count(free, "tangent_graph") == 0);
+  CHECK(count(all_searches<FeatureArchetype>(), "tangent_graph") == 1);
+  CHECK(count(all_searches<FeatureArchetype>(), "auto") == 0);
+  CHECK(count(all_searches<WorkspaceArchetype>(), "auto") == 1);
 }
 
 TEST_CASE("what is prepared for searches is made from any space of its concept") {

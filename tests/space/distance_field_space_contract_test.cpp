@@ -33,7 +33,7 @@ test::SearcherPromise promise_of(std::string_view search) {
 
 TEST_CASE("searches keep the searcher contract on a distance field") {
   const auto searches = all_searches<FieldSpace>();
-  CHECK(searches.size() == 21);
+  CHECK(searches.size() == 22);
   for (const AnySearch<FieldSpace>& search : searches) {
     // These two take longest. Ants have fewer iterations below, and SafeRrtStar has one query in
     // distance_field_space_test.cpp.
