@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/search/query_checks.hpp"
+
+#include <string>
+
 #include "tutavia/plan/query.hpp"
 #include "tutavia/space/inflated_space.hpp"
 
