@@ -2,9 +2,23 @@
 #include "map_frame.hpp"
 
 #include <cstddef>
+#include <string>
 #include <type_traits>
 
 namespace plan_program {
+
+namespace {
+
+/// Puts the coordinates of one point in the place of another's, wherever a text has them.
+void name_anew(const Point& before, const Point& after, std::string& text) {
+  const std::string old = detail::to_text(before), now = detail::to_text(after);
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at)) {
+    text.replace(at, old.size(), now);
+    at += now.size();
+  }
+}
+
+}  // namespace
 
 Point MapFrame::to_grid(const Point& in_map) {
   if (!is_turned_) return in_map;
@@ -51,7 +65,12 @@ Expected<Plan, Failure> MapFrame::to_map(Expected<Plan, Failure> plan) const {
     plan->curve = to_map(plan->curve);
     plan->route.curve = to_map(plan->route.curve);
     plan->certificate.point = to_map(plan->certificate.point);
-  } else if (auto& safe = plan.error().nearest_safe_point) {
+    return plan;
+  }
+  Failure& failure = plan.error();
+  for (const auto& [known, in_map] : given_) name_anew(known, in_map, failure.detail);
+  if (auto& safe = failure.nearest_safe_point) {
+    name_anew(*safe, to_map(*safe), failure.detail);
     safe = to_map(*safe);
   }
   return plan;

@@ -203,12 +203,16 @@ TEST_CASE("tables, pictures, traces and failures of a turned ROS map are in its 
     }
   }
   CHECK(rectangles > 0);
-  CHECK(folder.run("--grid turned.yaml --start 10.2,20.3 --goal 8.7,21.7").code == 1);
+  const RosOutcome outside = folder.run("--grid turned.yaml --start 10.2,20.3 --goal 8.7,21.7");
+  CHECK(outside.code == 1);
+  CHECK(has_part(outside.out, "start (10.2, 20.3) lies outside the bounds"));
   const RosOutcome blocked =
       folder.run("--grid turned.yaml --start 9.99,20.3 --goal 8.7,21.7 --radius 0.1 --json r.json");
   CHECK(blocked.code == 1);
   const json result = json::parse(folder.read("r.json"))["results"][0];
   CHECK(result["status"] == "start_blocked");
+  CHECK(has_part(blocked.out, "start (9.99, 20.3) lies in"));
+  CHECK(has_part(blocked.out, "the nearest safe point is (9.8"));
   CHECK(distance(point_of(result["nearest_safe_point"]), {9.85, 20.3}) < 0.03);
 }
 
