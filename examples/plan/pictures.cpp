@@ -67,11 +67,11 @@ Ring corners_of(const Box& box, const MapFrame& frame) {
           frame.to_map(box.max), frame.to_map(Point{box.min.x(), box.max.y()})};
 }
 
-/// Draws a box by its edges, thin as those of trees: pictures have no turned boxes.
+/// Draws a box by its edges: pictures have no turned boxes.
 void add_outline(const Box& box, const MapFrame& frame, SvgOptions& options) {
   const Ring ring = corners_of(box, frame);
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    options.tree.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    options.outlines.push_back({ring[i], ring[(i + 1) % ring.size()]});
   }
 }
 

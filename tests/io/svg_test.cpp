@@ -32,11 +32,13 @@ TEST_CASE("a picture shows obstacles, zones of the safety radius, route, curve a
   const Plan plan = planner.plan(space, {.start = scene.start, .goal = scene.goals[1]}).value();
   const std::string svg = to_svg(scene.workspace, std::span(&plan, 1),
                                  {.critical_corners = {{1, 1}, {2, 2}},
+                                  .outlines = {{{1, 3}, {2, 4}}},
                                   .tree = {{{3, 3}, {4, 4}}, {{3, 3}, {3, 4}}},
                                   .rectangles = {{{3, 3}, {6, 4.5}}},
                                   .intervals = {{{3, 3}, {6, 3}}},
                                   .title = "a < b & c"});
   CHECK(count(svg, "#6fa58f") == 2);  // the tree and its legend
+  CHECK(count(svg, ">outline<") == 1);
   CHECK(count(svg, "<path d=\"M216.00 646.00H416.00V546.00H216.00Z\" fill=\"#ffd84d\"") == 1);
   CHECK(count(svg, "#ffd84d") == 2);
   CHECK(count(svg, "#d4a000") == 2);

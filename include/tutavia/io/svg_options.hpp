@@ -28,6 +28,7 @@ struct SvgOptions {
   double cell_size = 0;
   std::vector<Box> buffer{};              ///< cells of a safety buffer, light blue
   std::vector<Point> critical_corners{};  ///< marked with crosses
+  std::vector<Segment> outlines{};        ///< thin lines, such as the border of a turned map
   std::vector<Segment> tree{};            ///< edges of a random tree, drawn thin
   std::vector<Curve> tree_paths{};        ///< paths before nodes are removed, black
   std::vector<Box> rectangles{};          ///< rectangles of a rectangle expansion from the start

@@ -108,6 +108,7 @@ class SvgKey {
     if (!options_.goal_intervals.empty()) {
       legend_.line("backward passage", SvgStyle::backward_passage);
     }
+    if (!options_.outlines.empty()) legend_.line("outline", SvgStyle::outline);
     if (!options_.tree.empty()) legend_.line("tree", SvgStyle::tree("1.5"));
     if (!options_.tree_paths.empty()) {
       legend_.line("path of the tree, before nodes are removed", SvgStyle::tree_path);

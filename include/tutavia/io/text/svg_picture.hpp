@@ -75,6 +75,7 @@ class SvgPicture {
     map.boxes(whole_cells(options_.goal_rectangles), SvgStyle::backward_rectangle);
     map.lines(options_.intervals, SvgStyle::forward_passage);
     map.lines(options_.goal_intervals, SvgStyle::backward_passage);
+    map.lines(options_.outlines, SvgStyle::outline);
     map.lines(options_.tree, SvgStyle::tree("0.7"));
     for (const Curve& path : options_.tree_paths) {
       map.polyline(path, SvgStyle::tree_path, 2.2, "fill=\"#000000\"");

@@ -31,6 +31,7 @@ struct SvgStyle {
       "stroke=\"#d4a000\" stroke-width=\"3\" stroke-linecap=\"round\"";
   static constexpr std::string_view backward_passage =
       "stroke=\"#1b7837\" stroke-width=\"3\" stroke-linecap=\"round\"";
+  static constexpr std::string_view outline = "stroke=\"#7a8794\" stroke-width=\"0.8\"";
   static constexpr std::string_view axis = "stroke=\"#33414e\" stroke-width=\"1\"";
   static constexpr std::string_view grid_line = "stroke=\"#e3e7eb\" stroke-width=\"1\"";
   static constexpr std::string_view radius_line =
