@@ -61,8 +61,10 @@ SceneFile read_workspace(const Arguments& args) {
   if (kind == ".csv" && args.wkt_column.empty()) {
     throw UsageError{path + ": name the column that holds WKT: give --wkt-column NAME"};
   }
+  if (!args.wkt_column.empty() && kind != ".csv") {
+    throw UsageError{"--wkt-column is for .csv files"};
+  }
   if (kind == ".wkt" || kind == ".csv") return read_wkt(args);
-  if (!args.wkt_column.empty()) throw UsageError{"--wkt-column is for .csv and .wkt files"};
   if (kind == ".json") return value_or_throw(read_scene_json(path));
   if (kind == ".geojson") return value_or_throw(read_geo_json(path));
   throw UsageError{path + ": unknown kind of file (.json, .geojson, .wkt or .csv)"};

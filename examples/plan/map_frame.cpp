@@ -4,17 +4,24 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace plan_program {
 
 namespace {
 
-/// Puts the coordinates of one point in the place of another's, wherever a text has them.
-void name_anew(const Point& before, const Point& after, std::string& text) {
-  const std::string old = detail::to_text(before), now = detail::to_text(after);
-  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at)) {
-    text.replace(at, old.size(), now);
-    at += now.size();
+/// Puts the coordinates of the second point of a pair in the place of the first's, wherever a text
+/// has them.
+void name_anew(const std::vector<std::pair<Point, Point>>& points, std::string& text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    for (const auto& [before, after] : points) {
+      const std::string old = detail::to_text(before), now = detail::to_text(after);
+      if (text.compare(at, old.size(), old) != 0) continue;
+      text.replace(at, old.size(), now);
+      at += now.size() - 1;
+      break;
+    }
   }
 }
 
@@ -68,11 +75,12 @@ Expected<Plan, Failure> MapFrame::to_map(Expected<Plan, Failure> plan) const {
     return plan;
   }
   Failure& failure = plan.error();
-  for (const auto& [known, in_map] : given_) name_anew(known, in_map, failure.detail);
+  std::vector<std::pair<Point, Point>> points = given_;
   if (auto& safe = failure.nearest_safe_point) {
-    name_anew(*safe, to_map(*safe), failure.detail);
-    safe = to_map(*safe);
+    points.emplace_back(*safe, to_map(*safe));
+    safe = points.back().second;
   }
+  name_anew(points, failure.detail);
   return plan;
 }
 

@@ -164,11 +164,13 @@ std::optional<double> optimum_of(const PlanningSpace& any_space, const Query& qu
 }
 
 std::string remedy_of(const PlanningSpace& any_space, const Query& query) {
+  const bool has_time_limit = query.budget.deadline != Budget{}.deadline;
   const auto optimum = optimum_of(any_space, query, std::numeric_limits<double>::infinity());
   if (!optimum) return "";
-  std::string remedy = "; --search auto finds a path of " + std::to_string(*optimum) + " m";
   const auto* space = std::get_if<LatticeSpace>(&any_space);
-  if (space == nullptr) return remedy;
+  std::string remedy = space != nullptr ? "; --search auto" : "; --search tangent_graph";
+  remedy.append(" finds a path of ").append(detail::number_text(*optimum)).append(" m");
+  if (space == nullptr || has_time_limit) return remedy;
   constexpr std::int64_t most_nodes = 1 << 22;  // about a second
   LatticeOptions finer{.resolution = space->frame().resolution,
                        .movement = MovementRule::no_cut,

@@ -60,7 +60,8 @@ double mean_clearance_of(const PlanningSpace& space, const Curve& curve);
 std::optional<double> optimum_of(const PlanningSpace& space, const Query& query, double bound);
 
 /// What would find a path where the lattice of a workspace has none, as the end of a message: a
-/// finer resolution, or the exact search. Empty if there is no path.
+/// finer resolution (tried if the query has no time limit), or the exact search. Empty if there is
+/// no path.
 std::string remedy_of(const PlanningSpace& space, const Query& query);
 
 /// The length of a route when pulled taut [m]; NaN if that fails.

@@ -84,7 +84,7 @@ void check_costs(const Arguments& args, const Choices& chosen) {
     if (takes_costs(name)) continue;
     std::string message = option;
     message.append(": ").append(name);
-    throw UsageError{message + " takes no costs of cells; give --search astar or dijkstra"};
+    throw UsageError{message + " takes no costs of cells; give --search auto, astar or dijkstra"};
   }
   for (const PipelineText& smoother : chosen.smoothers) {
     if (smoother.text == "none") continue;

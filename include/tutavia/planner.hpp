@@ -17,6 +17,8 @@
 
 namespace tutavia {
 
+struct AutoSearch;  // search/auto_search.hpp
+
 /// A path that is proved safe, with its certificate, metrics and statistics.
 struct Plan {
   Curve curve{};              ///< from start to goal, both exact
@@ -46,9 +48,11 @@ concept PlannableSpace = ClearanceSpace<S> && Searcher<Search, S> && Smoother<Sm
 /// that leads through the zone may have to be smoothed in parts, or left as it is in parts: then
 /// what the smoother promises holds for each part alone, and the plan says `fell_back`.
 ///
+/// The default search is complete: AutoSearch, whose header a program has to include.
+///
 /// The planner owns the search's scratch memory: use one planner per thread. Threads may share a
 /// space.
-template <class Search, class Smooth = NoSmoothing>
+template <class Search = AutoSearch, class Smooth = NoSmoothing>
 class Planner {
  public:
   explicit Planner(Search search = {}, Smooth smoother = {})

@@ -306,7 +306,7 @@ TEST_CASE("what is wrong with a ROS map is one line that names the option that h
            {"--grid a.yaml --unknown maybe",
             "--unknown: expected blocked, free or cost:N, got \"maybe\""},
            {"--grid a.yaml --unknown cost:2 --search jps",
-            "--unknown cost:2: jps takes no costs of cells; give --search astar or dijkstra"},
+            "--unknown cost:2: jps takes no costs of cells; give --search auto, astar or dijkstra"},
            {"--grid a.yaml --unknown cost:2 --compare",
             "--unknown cost:2: --compare runs searches that take no costs"},
            {"--map maze --unknown free", "--unknown is for ROS maps (--grid FILE.yaml)"}}) {

@@ -254,6 +254,8 @@ constexpr InputRow wkt_texts[] = {
      "POINT(3 4)",
      "error: line 2, column 1: expected '\"' at the end of the geometry, found \"POINT(3\" (the "
      "geometry begins at line 1)\n"},
+    {"# walls\rPOLYGON((3 0,4 0,4 12,3 12,3 0))\r",
+     "error: line 1, column 8: a line end without a line feed; lines end with LF or with CR LF\n"},
     {"POINT(1 2) # comment", "error: line 1, column 12: expected a geometry, found \"#\"\n"},
     {"POINT(1 2);\n"
      ";POINT(3 4)",
@@ -310,6 +312,10 @@ constexpr InputRow csv_texts[] = {
      "1,\"POINT(1 x)\"\n",
      "error: line 2, column 12: expected the second ordinate of a vertex, found \"x)\"\n"},
     {"wkt,wkt\n", "error: line 1, column 5: a second column \"wkt\"\n"},
+    {"id;wkt;x\r1;POLYGON((3 0,4 0,4 12,3 12,3 0));2\r",
+     "error: line 1, column 1: expected a header with a column \"wkt\", found \"id;wkt;x\"\n"},
+    {"id,wkt\n1,POINT(1 2)\r2,POINT(3 4)\n",
+     "error: line 2, column 13: a line end without a line feed; lines end with LF or with CR LF\n"},
 };
 
 constexpr InputRow map_files[] = {

@@ -35,6 +35,15 @@ TEST_CASE("the search depends on the space") {
   CHECK(search_once(AutoSearch{}, straight, query)->found_by == "astar");
 }
 
+TEST_CASE("a planner without a search uses it") {
+  const auto space =
+      LatticeSpace::build({.bounds = {{0, 0}, {8, 8}}, .safety_radius = 0.5}, {.resolution = 1})
+          .value();
+  const auto plan = Planner<>{}.plan(space, {.start = {1, 4}, .goal = {7, 4}});
+  REQUIRE(plan);
+  CHECK(plan->route.found_by == "astar");
+}
+
 TEST_CASE("AutoSearch keeps the searcher contract") {
   test::searcher_contract(AutoSearch{}, {.ties = test::Ties::not_proved});
 }

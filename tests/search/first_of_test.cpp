@@ -41,6 +41,12 @@ TEST_CASE("the second search runs where the first has no path, and the route say
   CHECK(fine->found_by == "astar");
 }
 
+TEST_CASE("a search within a search names the one that found the path") {
+  const FirstOf nested{FirstOf{AStar{}, AStar{}}, TangentGraph{}};
+  CHECK(search_once(nested, rooms_with_slot(0.01), through)->found_by == "astar");
+  CHECK(search_once(nested, rooms_with_slot(0.25), through)->found_by == "tangent_graph");
+}
+
 TEST_CASE("answers that need no second search are those of the first") {
   const FirstOf both{AStar{}, TangentGraph{}};
   const auto space = rooms_with_slot(0.25);

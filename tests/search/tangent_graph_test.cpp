@@ -289,6 +289,13 @@ TEST_CASE("a path leads from an end at exactly the safety radius, and between tw
   CHECK(route->curve.end() == query.goal);
   CHECK(certify(space, route->curve).status == ProofStatus::proved);
   CHECK(route->cost == Approx(2 * 0.7 + 2 + pi * 0.1).epsilon(1e-9));
+  // At radius 0: from the top of a disc into the seam between two polygons that touch.
+  const auto seam = space_with({Disc{{5, 9}, 1}, Polygon{{{3, 2}, {5, 2}, {5, 4}, {3, 4}}},
+                                Polygon{{{5, 2}, {7, 2}, {7, 4}, {5, 4}}}},
+                               0);
+  const auto into = search(seam, {.start = {5, 10}, .goal = {5, 3}});
+  REQUIRE(into);
+  CHECK(certify(seam, into->curve).status == ProofStatus::proved);
   // In a corridor just as wide as the robot there is no room to step aside.
   const auto tight =
       space_with({Polygon{{{-9, 1}, {9, 1}, {9, 2}, {-9, 2}}},

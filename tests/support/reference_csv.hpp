@@ -66,6 +66,7 @@ inline std::optional<CsvTable> reference_csv(const std::string& text, char separ
       state = In::quotes;
       blank_row = false;
     } else {
+      if (c == '\r' && i + 1 < text.size() && text[i + 1] != '\n') return std::nullopt;
       if (c != ' ' && c != '\r') blank_row = false;
       state = In::plain;
       cell += c;

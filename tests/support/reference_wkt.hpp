@@ -60,6 +60,7 @@ class ReferenceWkt {
       Token token{c, std::string(1, c), glued};
       if (has_comments && c == '#' && (i == 0 || text[i - 1] == '\n')) {
         token = {'c', run(i, [](char x) { return x != '\n'; }), glued};
+        if (token.text.find('\r') < token.text.size() - 1) throw Refused{};
       } else if (digit(c) || c == '+' || c == '-' || c == '.') {
         token = {'n',
                  run(i,

@@ -21,9 +21,12 @@ namespace tutavia {
 /// Finds a path wherever there is one, as fast as the space allows.
 ///
 /// - Workspaces: A* on the lattice, and TangentGraph where the lattice has no path. A path is found
-///   wherever one exists; `unreachable` is proved. Without a lattice, TangentGraph alone.
-/// - Cells: jump point search, or A* where steps are not diagonal. It finds a path wherever the
-///   cells have one.
+///   wherever one exists, except that an end between two safety zones may leave it `not_proved`;
+///   `unreachable` is proved. Without a lattice, TangentGraph alone.
+/// - Cells: jump point search, or A* where steps are not diagonal. It finds a path wherever there
+/// is
+///   one from cell to cell. A disc may find more between cells by TangentGraph, which takes long on
+///   large maps.
 ///
 /// `Route::found_by` names the search that found the path. Errors: those of these searches.
 ///

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -40,7 +41,7 @@ struct FirstOf {
   const {
     auto route = first.search(space, query, scratch.first, observer);
     if (route) {
-      route->found_by = First::name;
+      if (route->found_by.empty()) route->found_by = First::name;
       return route;
     }
     const Failure& failure = route.error();
@@ -49,9 +50,9 @@ struct FirstOf {
       return route;
     }
     Query rest = query;
-    rest.budget.max_expansions -= failure.stats.expanded;
+    rest.budget.max_expansions -= std::min(failure.stats.expanded, rest.budget.max_expansions);
     auto exact = second.search(space, rest, scratch.second, observer);
-    if (exact) exact->found_by = Second::name;
+    if (exact && exact->found_by.empty()) exact->found_by = Second::name;
     Statistics& stats = exact ? exact->stats : exact.error().stats;
     stats.expanded += failure.stats.expanded;
     stats.generated += failure.stats.generated;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -41,9 +42,6 @@ namespace tutavia {
 /// polyline that may touch obstacles and pass between two that touch, wherever `segment_free`
 /// allows it. It goes around discs, and around the ends of walls, which may not be touched, at a
 /// few rounding errors.
-///
-/// O(m n) edges are generated for n vertices and m
-/// expansions; with prepared tangents, only the proved edges.
 ///
 /// Source: Pocchiola and Vegter 1996, "The visibility complex" (the graph of tangents); Hart,
 /// Nilsson and Raphael 1968 (A*).
@@ -133,15 +131,16 @@ Expected<Route, Failure> TangentGraph::search_beside(const S& space, const Query
                                                      const TangentVisibilityGraph& map,
                                                      Scratch& scratch, O& observer,
                                                      Failure failure) const {
-  const auto start = detail::step_off_zone(space, query.start);
-  const auto goal = detail::step_off_zone(space, query.goal);
-  if (!start || !goal || (*start == query.start && *goal == query.goal)) {
-    return Unexpected{std::move(failure)};
-  }
+  const auto step_off = [&](const Point& end) {
+    return detail::touches_zone(space, map, end) ? detail::step_off_zone(space, end)
+                                                 : std::optional<Point>(end);
+  };
+  const auto start = step_off(query.start), goal = step_off(query.goal);
+  if (!start || !goal) return Unexpected{std::move(failure)};
   Query beside = query;
   beside.start = *start;
   beside.goal = *goal;
-  beside.budget.max_expansions -= failure.stats.expanded;
+  beside.budget.max_expansions -= std::min(failure.stats.expanded, beside.budget.max_expansions);
   auto found = search_tangents(space, beside, map, scratch, observer);
   Statistics& stats = found ? found->stats : found.error().stats;
   stats.expanded += failure.stats.expanded;

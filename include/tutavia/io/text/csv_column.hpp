@@ -28,7 +28,10 @@ class CsvRows {
 
   /// Reads the next row that is not blank. False at the end of the text. Throws ParseError.
   bool next() {
-    while (next_ < text_.size() && is_line_blank()) next_ = next_line();
+    while (next_ < text_.size() && is_line_blank()) {
+      refuse_bare_carriage_return(text_, next_, std::min(text_.find('\n', next_), text_.size()));
+      next_ = next_line();
+    }
     if (next_ >= text_.size()) return false;
     start_ = next_;
     cells_.clear();
@@ -60,6 +63,7 @@ class CsvRows {
   CsvCell plain_cell() {
     const std::size_t line_end = std::min(text_.find('\n', next_), text_.size());
     CsvCell cell{next_, std::min(text_.substr(0, line_end).find(separator_, next_), line_end)};
+    refuse_bare_carriage_return(text_, cell.begin, cell.end == line_end ? line_end : cell.end + 1);
     next_ = cell.end;
     while (cell.begin < cell.end && is_blank(text_[cell.begin])) ++cell.begin;
     while (cell.begin < cell.end && is_blank(text_[cell.end - 1])) --cell.end;

@@ -17,6 +17,7 @@
 
 #include "tutavia/io/text/parse_error.hpp"
 #include "tutavia/io/text/ros_map_values.hpp"
+#include "tutavia/io/text/source_text.hpp"
 #include "tutavia/io/text/tree_yaml.hpp"
 #include "tutavia/plan/failure.hpp"
 
@@ -206,14 +207,11 @@ class RosSettingsReader {
     }
     return shown_text(node.text);
   }
-  /// A text in one line, without control characters and cut short.
+  /// A text in one line, cut short.
   static std::string shown_text(const std::string& text) {
     if (text.empty()) return "\"\"";
-    std::string line = text.substr(0, 60);
-    for (char& c : line) {
-      if (static_cast<unsigned char>(c) < ' ') c = ' ';
-    }
-    return line.size() < text.size() ? line + "..." : line;
+    const std::string line = printable_line(std::string_view(text).substr(0, 60));
+    return text.size() > 60 ? line + "..." : line;
   }
   static std::string at(std::size_t line) { return "line " + std::to_string(line) + ": "; }
   void warn(std::string text) { settings_.map.warnings.push_back(std::move(text)); }

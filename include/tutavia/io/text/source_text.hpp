@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "tutavia/io/text/parse_error.hpp"
+
 /// \file
 /// Helpers of the text readers: positions in a text, and parts of it in messages.
 
@@ -39,6 +41,16 @@ inline std::string position_text(std::string_view text, std::size_t at) {
   const std::size_t line_end = text.substr(0, at).rfind('\n');  // npos + 1 is 0
   return "line " + std::to_string(line_number(text, at)) + ", column " +
          std::to_string(at - line_end) + ": ";
+}
+
+/// Throws ParseError for a carriage return within a line: in a file of such line ends, all that
+/// follows a comment or a header would be taken for a part of it, walls as well.
+inline void refuse_bare_carriage_return(std::string_view text, std::size_t begin,
+                                        std::size_t line_end) {
+  const std::size_t at = text.find('\r', begin);
+  if (at >= line_end || at + 1 == line_end) return;
+  throw ParseError{position_text(text, at) +
+                   "a line end without a line feed; lines end with LF or with CR LF"};
 }
 
 constexpr bool is_printable(char c) { return c >= ' ' && c <= '~'; }

@@ -15,6 +15,7 @@
 
 #include "tutavia/io/text/grey_image.hpp"
 #include "tutavia/io/text/parse_error.hpp"
+#include "tutavia/io/text/source_text.hpp"
 
 /// \file
 /// YamlTree: the nodes of a YAML document with their lines.
@@ -47,8 +48,8 @@ class YamlTree : private YAML::EventHandler {
     } catch (const YAML::DeepRecursion& error) {
       throw ParseError{position(error.mark) + "nested too deeply"};
     } catch (const YAML::Exception& error) {
-      if (error.mark.is_null()) throw ParseError{error.msg};
-      throw ParseError{position(error.mark) + error.msg};
+      if (error.mark.is_null()) throw ParseError{printable_line(error.msg)};
+      throw ParseError{position(error.mark) + printable_line(error.msg)};
     }
     if (nodes_.empty()) nodes_.emplace_back();
   }

@@ -67,7 +67,9 @@ class WktCursor {
   void skip_comments() {
     skip_space();
     for (; has_comments_ && !is_end() && text_[next_] == '#' && is_line_start(); skip_space()) {
-      next_ = std::min(text_.find('\n', next_), end_);
+      const std::size_t line_end = std::min(text_.find('\n', next_), end_);
+      refuse_bare_carriage_return(text_, next_, line_end);
+      next_ = line_end;
     }
   }
 

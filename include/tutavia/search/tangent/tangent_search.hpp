@@ -51,6 +51,19 @@ class TangentScratch {
   std::vector<std::uint32_t> first;  // arrival at each node
 };
 
+/// Whether a point lies on the boundary of a safety zone, within rounding, where only exact arcs
+/// could follow it. At safety radius 0 only discs and the ends of walls have such zones.
+template <FeatureSpace S>
+bool touches_zone(const S& space, const TangentVisibilityGraph& map, const Point& p) {
+  const double margin = 8 * space.distance_error_bound();
+  if (space.safety_radius() > 0) return space.clearance(p) < space.safety_radius() + margin;
+  for (TangentVisibilityGraph::Node node = 0; node < map.nodes(); node += 2) {
+    const OrientedCircle circle = map.circle(node);
+    if (circle.radius > 0 && distance(circle.center, p) < circle.radius + margin) return true;
+  }
+  return false;
+}
+
 template <FeatureSpace S, Observer O>
 class TangentSearch {
  public:
@@ -79,7 +92,7 @@ class TangentSearch {
       expand(static_cast<std::uint32_t>(scratch_.arrivals.size() - 1));
     }
     for (const Point& end : {query_.start, query_.goal}) {
-      if (touches_zone(end)) {
+      if (touches_zone(space_, map_, end)) {
         return fail(PlanError::not_proved,
                     "start or goal touches a safety zone, and no path from there can be proved");
       }
@@ -112,18 +125,6 @@ class TangentSearch {
 
  private:
   static constexpr TangentVisibilityGraph::Node none = TangentVisibilityGraph::none;
-
-  /// Whether a point lies on the boundary of a safety zone, within rounding, where only exact arcs
-  /// could follow it. At safety radius 0 only discs and the ends of walls have such zones.
-  bool touches_zone(const Point& p) const {
-    const double margin = 8 * space_.distance_error_bound();
-    if (space_.safety_radius() > 0) return space_.clearance(p) < space_.safety_radius() + margin;
-    for (TangentVisibilityGraph::Node node = 0; node < map_.nodes(); node += 2) {
-      const OrientedCircle circle = map_.circle(node);
-      if (circle.radius > 0 && distance(circle.center, p) < circle.radius + margin) return true;
-    }
-    return false;
-  }
 
   /// The goal is one more node; the start has none.
   TangentVisibilityGraph::Node goal_node() const { return map_.nodes(); }
