@@ -117,7 +117,7 @@ class PointWorlds {
   }
 
   Random random_;
-  VisibilityOracle oracle_{{}};
+  VisibilityOracle oracle_{{{0, 0}, {size, size}}};
   std::vector<Obstacle> obstacles_;
 };
 

@@ -210,8 +210,8 @@ class RosSettingsReader {
   /// A text in one line, cut short.
   static std::string shown_text(const std::string& text) {
     if (text.empty()) return "\"\"";
-    const std::string line = printable_line(std::string_view(text).substr(0, 60));
-    return text.size() > 60 ? line + "..." : line;
+    const std::string line = printable_line(std::string_view(text).substr(0, 61));
+    return line.size() > 60 ? line.substr(0, 60) + "..." : line;
   }
   static std::string at(std::size_t line) { return "line " + std::to_string(line) + ": "; }
   void warn(std::string text) { settings_.map.warnings.push_back(std::move(text)); }
