@@ -16,6 +16,7 @@
 #include "tutavia/geometry/piece.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/geometry/polygon.hpp"
+#include "tutavia/geometry/pose.hpp"
 #include "tutavia/geometry/predicates.hpp"
 #include "tutavia/geometry/resample.hpp"
 #include "tutavia/geometry/segment.hpp"

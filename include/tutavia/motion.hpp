@@ -4,4 +4,6 @@
 /// \file
 /// The module motion: speed along a curve.
 
+#include "tutavia/motion/differential_drive.hpp"
+#include "tutavia/motion/drive_command.hpp"
 #include "tutavia/motion/speed_profile.hpp"

@@ -7,6 +7,7 @@
 #include "tutavia/world/changed_boxes.hpp"
 #include "tutavia/world/frame.hpp"
 #include "tutavia/world/maps.hpp"
+#include "tutavia/world/moving_obstacle.hpp"
 #include "tutavia/world/obstacles_from.hpp"
 #include "tutavia/world/scene.hpp"
 #include "tutavia/world/workspace.hpp"
