@@ -4,6 +4,8 @@
 /// \file
 /// The module motion: speed along a curve.
 
+#include "tutavia/motion/control_options.hpp"
 #include "tutavia/motion/differential_drive.hpp"
 #include "tutavia/motion/drive_command.hpp"
+#include "tutavia/motion/motion_gate.hpp"
 #include "tutavia/motion/speed_profile.hpp"

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "tutavia/motion/differential_drive.hpp"
+#include "tutavia/plan/failure.hpp"
+
+/// \file
+/// ControlOptions: what a controller has to know of its robot.
+
+namespace tutavia {
+
+/// The robot's limits, the rhythm of its commands, and how far its odometry may err.
+///
+/// A command issued at time t takes effect at `t + latency` and then holds for one period. The
+/// robot's true pose lies within the error bounds of the odometry at all times.
+struct ControlOptions {
+  DriveLimits limits{};
+  double period = 0.1;        ///< between two commands [s]
+  double latency = 0;         ///< until a command takes effect [s]
+  double position_error = 0;  ///< bound on the odometry's error of position [m]
+  double heading_error = 0;   ///< and of heading [rad]
+  /// For how many periods a motion must be safe before the robot brakes. 1 is as safe as any other
+  /// number; with more, the robot slows down earlier.
+  int hold = 3;
+};
+
+/// Errors: `invalid_option`, which names the option.
+inline Expected<void, Failure> validate(const ControlOptions& options) {
+  if (auto valid = validate(options.limits); !valid) return valid;
+  const auto is_length = [](double x) { return x >= 0 && std::isfinite(x); };
+  const auto invalid = [](const char* rule) { return fail(PlanError::invalid_option, rule); };
+  if (!(options.period > 0 && std::isfinite(options.period)))
+    return invalid("period must be positive and finite");
+  if (!is_length(options.latency)) return invalid("latency must be finite and not negative");
+  if (!(options.latency <= 64 * options.period))
+    return invalid("latency must not exceed 64 periods");
+  if (!is_length(options.position_error))
+    return invalid("position_error must be finite and not negative");
+  if (!is_length(options.heading_error))
+    return invalid("heading_error must be finite and not negative");
+  if (options.hold < 1) return invalid("hold must be at least 1");
+  return {};
+}
+
+}  // namespace tutavia
