@@ -13,3 +13,4 @@
 #include "tutavia/space/lattice_space.hpp"
 #include "tutavia/space/links.hpp"
 #include "tutavia/space/nearest_free.hpp"
+#include "tutavia/space/overlay_space.hpp"
