@@ -21,6 +21,10 @@ struct Band {
   std::vector<double> intervals;  ///< [s], one fewer than poses
 
   bool empty() const { return poses.empty(); }
+  void clear() {
+    poses.clear();
+    intervals.clear();
+  }
   /// [s]
   double duration() const { return std::accumulate(intervals.begin(), intervals.end(), 0.0); }
 };

@@ -70,6 +70,12 @@ class MotionGate {
     return std::all_of(issued_.begin(), issued_.end(), [](const Twist& t) { return t.is_zero(); });
   }
 
+  /// Whether odometry and obstacles are finite numbers of a size that distances can be computed of.
+  static bool accepts(const Pose& odometry, std::span<const MovingObstacle> observed) {
+    return odometry.is_finite() && detail::is_valid_point(odometry.position) &&
+           std::all_of(observed.begin(), observed.end(), detail::is_valid_obstacle);
+  }
+
   /// The pose at which a command issued now takes effect.
   Pose start_of_command(const Pose& odometry) const { return committed(odometry).end; }
 
@@ -116,11 +122,6 @@ class MotionGate {
       : space_(&space),
         options_(options),
         issued_(static_cast<std::size_t>(std::ceil(options.latency / options.period)) + 1) {}
-
-  static bool is_valid(const Pose& odometry, std::span<const MovingObstacle> observed) {
-    return odometry.is_finite() && detail::is_valid_point(odometry.position) &&
-           std::all_of(observed.begin(), observed.end(), detail::is_valid);
-  }
 
   Committed committed(const Pose& odometry) const;
   int braking_periods(const Twist& twist) const;
@@ -238,7 +239,7 @@ typename MotionGate<S>::Motion MotionGate<S>::motion(
 template <ClearanceSpace S>
 MotionProof MotionGate<S>::check(const Pose& odometry, const Twist& twist, int hold,
                                  std::span<const MovingObstacle> observed) const {
-  if (!is_valid(odometry, observed)) return {};
+  if (!accepts(odometry, observed)) return {};
   if (twist.v == 0) return {.proved = true};
   return check(motion(odometry, twist, hold, braking_periods(twist), observed), observed);
 }
@@ -344,7 +345,7 @@ MotionProof MotionGate<S>::check_moving(const Motion& motion, const Pose& from, 
 template <ClearanceSpace S>
 DriveCommand MotionGate<S>::command(const Pose& odometry, const Twist& wanted,
                                     std::span<const MovingObstacle> observed) {
-  if (!is_valid(odometry, observed) || !std::isfinite(wanted.v) || !std::isfinite(wanted.omega)) {
+  if (!accepts(odometry, observed) || !std::isfinite(wanted.v) || !std::isfinite(wanted.omega)) {
     return brake(odometry, observed);
   }
   Blocker blocker;
@@ -368,7 +369,7 @@ DriveCommand MotionGate<S>::command(const Pose& odometry, const Twist& wanted,
 template <ClearanceSpace S>
 DriveCommand MotionGate<S>::brake(const Pose& odometry, std::span<const MovingObstacle> observed) {
   const Twist twist = braking_periods_ > 1 ? braked(last(), 1, braking_periods_) : Twist{};
-  const bool valid = is_valid(odometry, observed);
+  const bool valid = accepts(odometry, observed);
   MotionProof proof{.proved = last().is_zero()};
   if (valid && !proof.proved) {
     proof = twist.v == 0

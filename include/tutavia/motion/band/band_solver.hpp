@@ -40,7 +40,7 @@ class BandSolver {
   /// What became of a descent.
   struct Outcome {
     int steps = 0;
-    bool settled = false;  // the last step changed the cost by no more than the tolerance
+    bool settled = false;  // the next step would change the cost by no more than the tolerance
     bool stalled = false;  // no step lowered it
   };
 
@@ -81,6 +81,8 @@ class BandSolver {
   /// The normal equations at a band.
   void linearize(const Band& band);
   void hold_end();
+  /// By how much the solution lowers the cost where the residuals are linear.
+  double expected_gain() const;
   /// The band after a step.
   void step(const Band& band, double shortest, Band& result) const;
 
@@ -140,6 +142,14 @@ inline void BandSolver::step(const Band& band, double shortest, Band& result) co
   }
 }
 
+inline double BandSolver::expected_gain() const {
+  double gain = 0;
+  for (std::size_t i = 0; i < scratch_.system.blocks(); ++i) {
+    gain += scratch_.system.solution(i).dot(scratch_.system.right(i));
+  }
+  return gain;
+}
+
 inline BandSolver::Outcome BandSolver::descend(Band& band, int steps, double shortest,
                                                double tolerance) {
   Outcome outcome;
@@ -149,33 +159,23 @@ inline BandSolver::Outcome BandSolver::descend(Band& band, int steps, double sho
     if (fresh) linearize(band);
     fresh = false;
     if (scratch_.system.solve(damping)) {
+      if (expected_gain() <= tolerance * cost_now) {
+        outcome.settled = true;
+        return outcome;
+      }
       step(band, shortest, scratch_.trial);
       const double next = cost(scratch_.trial).total();
       if (next < cost_now) {  // false for NaN, too
-        outcome.settled = cost_now - next <= tolerance * cost_now;
         cost_now = next;
         std::swap(band, scratch_.trial);
         damping = std::max(1e-9, 0.1 * damping);
         fresh = lowered = true;
-        if (outcome.settled) {
-          ++outcome.steps;
-          break;
-        }
         continue;
       }
     }
     damping *= 10;
   }
   outcome.stalled = !lowered;
-  // At a minimum no step lowers the cost either.
-  if (!lowered) {
-    double largest = 0;
-    for (std::size_t i = 0; i < scratch_.system.blocks(); ++i) {
-      largest = std::max(largest, scratch_.system.solution(i).lpNorm<Eigen::Infinity>());
-    }
-    outcome.settled = largest < 1e-3;
-    outcome.stalled = !outcome.settled;
-  }
   return outcome;
 }
 

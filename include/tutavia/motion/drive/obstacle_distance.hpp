@@ -49,7 +49,7 @@ ClosestApproach distance_below(const P& piece, const Obstacle& obstacle, double 
 }
 
 /// Whether all numbers of a moving obstacle are such that distances to it can be computed.
-inline bool is_valid(const MovingObstacle& obstacle) {
+inline bool is_valid_obstacle(const MovingObstacle& obstacle) {
   if (!is_finite(obstacle.velocity)) return false;
   if (const Disc* disc = std::get_if<Disc>(&obstacle.shape)) {
     return is_valid_point(disc->center) && is_valid_coordinate(disc->radius) && disc->radius >= 0;
