@@ -90,6 +90,7 @@ class BandSolver {
   std::span<const Point> via_;
   bool free_end_heading_;
   BandScratch& scratch_;
+  double damping_ = 1e-3;  // of Levenberg and Marquardt, kept from round to round
 };
 
 inline void BandSolver::linearize(const Band& band) {
@@ -153,12 +154,12 @@ inline double BandSolver::expected_gain() const {
 inline BandSolver::Outcome BandSolver::descend(Band& band, int steps, double shortest,
                                                double tolerance) {
   Outcome outcome;
-  double cost_now = cost(band).total(), damping = 1e-3;
+  double cost_now = cost(band).total();
   bool fresh = true, lowered = false;
   for (; outcome.steps < steps; ++outcome.steps) {
     if (fresh) linearize(band);
     fresh = false;
-    if (scratch_.system.solve(damping)) {
+    if (scratch_.system.solve(damping_)) {
       if (expected_gain() <= tolerance * cost_now) {
         outcome.settled = true;
         return outcome;
@@ -168,12 +169,12 @@ inline BandSolver::Outcome BandSolver::descend(Band& band, int steps, double sho
       if (next < cost_now) {  // false for NaN, too
         cost_now = next;
         std::swap(band, scratch_.trial);
-        damping = std::max(1e-9, 0.1 * damping);
+        damping_ = std::max(1e-9, 0.1 * damping_);
         fresh = lowered = true;
         continue;
       }
     }
-    damping *= 10;
+    damping_ *= 10;
   }
   outcome.stalled = !lowered;
   return outcome;
