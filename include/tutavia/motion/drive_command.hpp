@@ -53,7 +53,8 @@ struct Blocker {
   };
 
   Kind kind = Kind::none;
-  std::uint32_t obstacle = std::numeric_limits<std::uint32_t>::max();  ///< its index, if known
+  std::uint32_t obstacle =
+      std::numeric_limits<std::uint32_t>::max();  ///< its index; none for bounds
   double time = 0;              ///< from now until the robot would come too close [s]
   Point point = Point::Zero();  ///< where the robot would be then
 };

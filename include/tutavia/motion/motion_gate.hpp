@@ -93,7 +93,9 @@ class MotionGate {
                        std::span<const MovingObstacle> observed);
 
   /// Issues the next step of braking, whatever else could be done. \see command
-  DriveCommand brake(const Pose& odometry, std::span<const MovingObstacle> observed);
+  DriveCommand brake(const Pose& odometry, std::span<const MovingObstacle> observed) {
+    return brake(odometry, observed, accepts(odometry, observed));
+  }
 
   /// Forgets the commands: the robot stands.
   void reset() {
@@ -123,6 +125,8 @@ class MotionGate {
         options_(options),
         issued_(static_cast<std::size_t>(std::ceil(options.latency / options.period)) + 1) {}
 
+  DriveCommand brake(const Pose& odometry, std::span<const MovingObstacle> observed,
+                     bool input_is_valid);
   Committed committed(const Pose& odometry) const;
   int braking_periods(const Twist& twist) const;
   /// The twist in the k-th period of braking, k = 1 ... periods.
@@ -274,7 +278,8 @@ MotionProof MotionGate<S>::check_map(const Motion& motion, const Piece& path) co
     const PieceProof proof = prove_distance(*space_, piece, motion.distance);
     if (proof.status == ProofStatus::proved) return {.proved = true};
     const Point point = piece.point(proof.parameter);
-    const NearestObstacle nearest = space_->nearest(Segment{point, point}, 2 * motion.distance);
+    const NearestObstacle nearest =
+        space_->nearest(Segment{point, point}, motion.distance * (1 + 1e-9));
     return {false,
             {Blocker::Kind::map, nearest.obstacle,
              time_at(motion, proof.parameter, options_.period), point}};
@@ -346,7 +351,7 @@ template <ClearanceSpace S>
 DriveCommand MotionGate<S>::command(const Pose& odometry, const Twist& wanted,
                                     std::span<const MovingObstacle> observed) {
   if (!accepts(odometry, observed) || !std::isfinite(wanted.v) || !std::isfinite(wanted.omega)) {
-    return brake(odometry, observed);
+    return brake(odometry, observed, false);
   }
   Blocker blocker;
   Twist before{std::numeric_limits<double>::quiet_NaN(), 0};
@@ -367,17 +372,21 @@ DriveCommand MotionGate<S>::command(const Pose& odometry, const Twist& wanted,
 }
 
 template <ClearanceSpace S>
-DriveCommand MotionGate<S>::brake(const Pose& odometry, std::span<const MovingObstacle> observed) {
+DriveCommand MotionGate<S>::brake(const Pose& odometry, std::span<const MovingObstacle> observed,
+                                  bool input_is_valid) {
   const Twist twist = braking_periods_ > 1 ? braked(last(), 1, braking_periods_) : Twist{};
-  const bool valid = accepts(odometry, observed);
-  MotionProof proof{.proved = last().is_zero()};
-  if (valid && !proof.proved) {
-    proof = twist.v == 0
-                ? MotionProof{.proved = true}
-                : check(motion(odometry, twist, 1, std::max(1, braking_periods_ - 1), observed),
-                        observed);
+  MotionProof proof{.proved = true};
+  if (input_is_valid && twist.v != 0) {
+    Motion braking = motion(odometry, twist, 1, std::max(1, braking_periods_ - 1), observed);
+    // Odometry that jumps within its bounds is no emergency.
+    const double error = options_.position_error + options_.heading_error * braking.reach;
+    braking.distance = std::max(0.0, space_->safety_radius() - error);
+    proof = check(braking, observed);
+    const bool out_of_bounds =
+        proof.blocker.kind == Blocker::Kind::map && proof.blocker.obstacle == NearestObstacle::none;
+    proof.proved = proof.proved || out_of_bounds;
   }
-  const DriveStatus status = !valid             ? DriveStatus::invalid_input
+  const DriveStatus status = !input_is_valid    ? DriveStatus::invalid_input
                              : last().is_zero() ? DriveStatus::blocked
                              : proof.proved     ? DriveStatus::stopping
                                                 : DriveStatus::emergency;
