@@ -27,7 +27,7 @@ namespace tutavia {
 enum class BandEnd : std::uint8_t {
   converged,        ///< the last round changed the cost by less than `tolerance`
   iteration_limit,  ///< it was still falling when the iterations were used up
-  stalled,          ///< no step lowered the cost, however short
+  stalled,          ///< no step of the last round lowered the cost
 };
 
 constexpr std::string_view to_string(BandEnd end) {
@@ -90,7 +90,7 @@ struct TimedElasticBand {
   double hysteresis = 0.1;          ///< how far intervals may differ from it [s]
   int rounds = 4;                   ///< each finds obstacles and resizes the band
   int steps = 5;                    ///< of Levenberg-Marquardt in each round
-  double tolerance = 1e-3;          ///< relative change of the cost at which to end
+  double tolerance = 1e-2;          ///< relative change of the cost at which to end
   std::size_t max_poses = 64;
 
   /// Errors: `invalid_option`, which names the option.
@@ -212,6 +212,7 @@ Expected<BandReport, Failure> TimedElasticBand::optimize(const S& space,
   best = band;
   solver.look_around(space, observed, current, reach);
   report.before = report.after = solver.cost(current);
+  for (double& interval : current.intervals) interval = std::max(interval, shortest);
   for (int round = 0; round < rounds; ++round) {
     resize(current);
     solver.look_around(space, observed, current, reach);

@@ -84,6 +84,7 @@ TEST_CASE("gradients of a band's residuals are their finite differences") {
     features.find(space, moving, band, 2);
     const auto rows = rows_of(problem, features, band);
     for (std::size_t r = 0; r < rows.size(); ++r) {
+      if (rows[r].value == 0) continue;  // a limit that is not reached, which only stiffens steps
       for (int k = 0; k < 12; ++k) {
         double* x = variable(band, rows[r].first, k);
         if (x == nullptr) {

@@ -58,6 +58,9 @@ class BandResiduals {
   static constexpr int heading(int k) { return 4 * k + 2; }
   static constexpr int interval(int k) { return 4 * k + 3; }
 
+  /// The weight of a limit that is not reached, relative to one that is exceeded.
+  static constexpr double stiffness = 0.3;
+
   /// A quantity with its gradient.
   struct Value {
     double value = 0;
@@ -81,15 +84,16 @@ class BandResiduals {
   template <class Visit>
   void visit_position(std::size_t i, Visit& visit) const;
 
-  /// The part of a value above `most` or below `least`, weighted.
+  /// The part of a value above `most` or below `least`, weighted. Within its limits the residual is
+  /// 0, but its gradient stays, smaller: it stiffens the step, which would otherwise run far beyond
+  /// limits that it cannot see (docs/decisions/0013).
   template <class Visit>
   static void visit_hinge(BandTerm term, std::size_t i, Value value, double least, double most,
                           double weight, Visit& visit) {
     const double beyond = value.value > most    ? value.value - most
                           : value.value < least ? value.value - least
                                                 : 0;
-    if (beyond == 0) return;
-    const double root = std::sqrt(weight);
+    const double root = std::sqrt(beyond == 0 ? stiffness * weight : weight);
     value.gradient *= root;
     visit(term, i, root * beyond, value.gradient);
   }

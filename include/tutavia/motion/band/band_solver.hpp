@@ -34,7 +34,7 @@ struct BandScratch {
 };
 
 /// Lowers the cost of a band whose obstacles and times are frozen. The variables of block i are
-/// pose i + 1 and the interval that leads to it.
+/// pose i + 1 and the logarithm of the interval that leads to it, which cannot become negative.
 class BandSolver {
  public:
   /// What became of a descent.
@@ -97,6 +97,12 @@ inline void BandSolver::linearize(const Band& band) {
   const std::size_t blocks = band.intervals.size();
   BlockSystem& system = scratch_.system;
   system.reset(blocks);
+  const auto in_logarithm = [&](const BandResiduals::Gradient& gradient, std::size_t k,
+                                std::size_t i) {
+    BlockSystem::Vector part = gradient.segment<4>(4 * std::ptrdiff_t(k));
+    part[3] *= band.intervals[i + k - 1];
+    return part;
+  };
   const auto add = [&](BandTerm term, std::size_t i, double residual,
                        const BandResiduals::Gradient& gradient) {
     const bool changes_speed =
@@ -105,11 +111,11 @@ inline void BandSolver::linearize(const Band& band) {
     const std::size_t count = is_position ? 1 : changes_speed ? 3 : 2;
     // Pose i + k belongs to block i + k - 1; the first pose is fixed.
     for (std::size_t a = i == 0 ? 1 : 0; a < count && i + a <= blocks; ++a) {
-      const BlockSystem::Vector at_a = gradient.segment<4>(4 * std::ptrdiff_t(a));
+      const BlockSystem::Vector at_a = in_logarithm(gradient, a, i);
       system.right(i + a - 1) -= residual * at_a;
       for (std::size_t b = a; b < count && i + b <= blocks; ++b) {
         system.at(i + a - 1, i + b - 1).noalias() +=
-            at_a * gradient.segment<4>(4 * std::ptrdiff_t(b)).transpose();
+            at_a * in_logarithm(gradient, b, i).transpose();
       }
     }
   };
@@ -139,7 +145,7 @@ inline void BandSolver::step(const Band& band, double shortest, Band& result) co
     pose.position = {pose.position.x() + d[0], pose.position.y() + d[1]};
     pose.heading += d[2];
     result.intervals[i] =
-        std::max(std::min(shortest, band.intervals[i]), result.intervals[i] + d[3]);
+        std::max(shortest, result.intervals[i] * std::exp(std::clamp(d[3], -0.7, 0.7)));
   }
 }
 
