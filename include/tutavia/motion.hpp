@@ -9,5 +9,6 @@
 #include "tutavia/motion/differential_drive.hpp"
 #include "tutavia/motion/drive_command.hpp"
 #include "tutavia/motion/motion_gate.hpp"
+#include "tutavia/motion/path_follower.hpp"
 #include "tutavia/motion/speed_profile.hpp"
 #include "tutavia/motion/timed_elastic_band.hpp"
