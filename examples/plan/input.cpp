@@ -15,7 +15,9 @@
 #include <utility>
 #include <vector>
 
+#include "input_options.hpp"
 #include "ros_input.hpp"
+#include "text_arguments.hpp"
 #include "tutavia/grid/cell_costs.hpp"
 #include "tutavia/grid/safety_buffer.hpp"
 #include "tutavia/io/geo_json.hpp"
@@ -39,9 +41,10 @@ std::string extension(const std::string& path) {
   return text;
 }
 
-void print_warnings(const std::string& path, const std::vector<std::string>& warnings) {
+void print_warnings(const Arguments& args, const std::string& path,
+                    const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
-    std::cerr << "tutavia-plan: " << path << ": " << warning << '\n';
+    std::cerr << args.program << ": " << path << ": " << warning << '\n';
   }
 }
 
@@ -82,7 +85,7 @@ void check_obstacles(const std::string& path, Workspace& workspace) {
 Scene load_scene(const Arguments& args) {
   if (!args.workspace.empty()) {
     SceneFile file = read_workspace(args);
-    print_warnings(args.workspace, file.warnings);
+    print_warnings(args, args.workspace, file.warnings);
     check_obstacles(args.workspace, file.scene.workspace);
     return std::move(file.scene);
   }
@@ -190,7 +193,7 @@ std::shared_ptr<const CellCosts> costs_of_unknown(const RosMap& map, const Occup
 
 CellMap load_ros_map(const Arguments& args, CellOptions options) {
   RosMap map = load_ros_map_file(args.grid);
-  print_warnings(args.grid, map.warnings);
+  print_warnings(args, args.grid, map.warnings);
   options.resolution = map.resolution;
   if (map.yaw == 0) options.origin = map.origin;  // else that of the grid's own frame
   const bool is_blocked = args.unknown == "blocked";
@@ -257,15 +260,15 @@ void add_cells_at(const CellMap& map, const Point& p, std::vector<Cell>& cells) 
 }
 
 /// Blocks the safety buffer. The cells of start and goals in it stay free, which is said.
-void add_buffer(const Scene& scene, int width, CellMap& map) {
+void add_buffer(const Arguments& args, const Scene& scene, CellMap& map) {
   std::vector<Cell> exempt;
   add_cells_at(map, map.frame.to_grid(scene.start), exempt);
   for (const Point& goal : scene.goals) add_cells_at(map, map.frame.to_grid(goal), exempt);
-  auto buffered = with_safety_buffer(map.cells, exempt, width);
+  auto buffered = with_safety_buffer(map.cells, exempt, *args.buffer);
   if (!buffered) throw UsageError{"--buffer: " + buffered.error().detail};
   map.cells = std::move(buffered->grid);
   for (const Cell& cell : buffered->exempted) {
-    std::cerr << "tutavia-plan: --buffer: cell (" << cell.x << ", " << cell.y
+    std::cerr << args.program << ": --buffer: cell (" << cell.x << ", " << cell.y
               << ") of the start or a goal lies in the buffer and stays free\n";
   }
 }
@@ -278,7 +281,7 @@ Task load_grid(const Arguments& args) {
   std::optional<OccupancyGrid> without_buffer;
   if (args.buffer) {
     without_buffer = map.cells;
-    add_buffer(scene, *args.buffer, map);
+    add_buffer(args, scene, map);
   }
   CellSpace space = value_or_throw(CellSpace::build(std::move(map.cells), map.options));
   scene.workspace = {.bounds = space.bounds(), .safety_radius = space.safety_radius()};

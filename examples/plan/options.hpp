@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "shown_parts.hpp"
-#include "tutavia/geometry/point.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/space/lattice_space.hpp"
 
@@ -17,10 +15,9 @@
 
 namespace plan_program {
 
-using tutavia::Point;
-
 /// The options as given. An empty text means that the option was not given.
 struct Arguments {
+  std::string program = "tutavia-plan";  ///< its name in warnings
   std::string map{};
   std::string workspace{};
   std::string wkt_column{};
@@ -54,20 +51,5 @@ struct Arguments {
 /// Reads the command line. For --help and --help-NAME it prints the help and returns nothing.
 /// Without any option the picture goes to maze.svg. Throws UsageError.
 std::optional<Arguments> parse_command_line(int argc, const char* const* argv);
-
-/// The N of --unknown cost:N: what unknown cells cost, times their length. Throws a UsageError for
-/// anything else than blocked, free and cost:N.
-std::optional<double> unknown_cost(const Arguments& args);
-
-/// The parts of a text between separators, including empty ones.
-std::vector<std::string> split(const std::string& text, char separator);
-
-/// Reads `count` finite numbers from a comma list. Throws a UsageError that names the option and
-/// the expected form, such as "X,Y".
-std::vector<double> parse_numbers(const std::string& option, const std::string& text,
-                                  std::size_t count, const char* form);
-
-/// Reads a point from "X,Y". Throws UsageError.
-Point parse_point(const std::string& option, const std::string& text);
 
 }  // namespace plan_program

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "input.hpp"
+#include "input_options.hpp"
 #include "json_output.hpp"
 #include "names.hpp"
 #include "pictures.hpp"

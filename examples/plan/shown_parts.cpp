@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "options.hpp"
+#include "text_arguments.hpp"
 #include "tutavia/registry/nearest_name.hpp"
 #include "usage_error.hpp"
 

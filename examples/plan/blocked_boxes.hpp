@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "tutavia/geometry/box.hpp"
+#include "tutavia/grid/occupancy_grid.hpp"
+
+/// \file
+/// blocked_boxes: blocked cells as rectangles.
+
+namespace plan_program {
+
+using namespace tutavia;
+
+/// A run of blocked cells from `first` to `last`, the same in all rows from `from_row` on.
+struct Run {
+  int first, last, from_row;
+};
+
+inline std::vector<Run> blocked_runs(const OccupancyGrid& cells, int y) {
+  std::vector<Run> runs;
+  if (y == cells.height()) return runs;
+  cells.for_each_run(y, false, [&](int first, int last) { runs.push_back({first, last, y}); });
+  return runs;
+}
+
+/// The blocked cells as rectangles. Runs of equal extent in neighbouring rows share one.
+inline std::vector<Box> blocked_boxes(const OccupancyGrid& cells, const Point& origin,
+                                      double side) {
+  std::vector<Box> boxes;
+  std::vector<Run> open;
+  for (int y = 0; y <= cells.height(); ++y) {
+    std::vector<Run> row = blocked_runs(cells, y);
+    for (const Run& run : open) {
+      const auto same = std::find_if(row.begin(), row.end(), [&](const Run& other) {
+        return other.first == run.first && other.last == run.last;
+      });
+      if (same != row.end()) {
+        same->from_row = run.from_row;
+        continue;
+      }
+      boxes.push_back(
+          {origin + side * Point(run.first, run.from_row), origin + side * Point(run.last + 1, y)});
+    }
+    open = std::move(row);
+  }
+  return boxes;
+}
+
+}  // namespace plan_program
