@@ -9,6 +9,7 @@
 #include "../plan/usage_error.hpp"
 #include "drive.hpp"
 #include "simulator.hpp"
+#include "tutavia/motion/local_planner.hpp"
 #include "tutavia/motion/path_follower.hpp"
 
 /// \file
@@ -77,9 +78,15 @@ Expected<Drive, Failure> drive_on(const S& space, const plan_program::Task& task
   if (!path) return std::move(path).unexpected();
   Drive drive{.path = std::move(*path)};
   const double heading = args.heading ? *args.heading - frame.yaw() : drive.path.curve.heading(0);
-  auto controller =
-      plan_program::value_or_throw(PathFollower<S>::build(space, {.control = control}));
-  detail::simulate(space, std::move(controller), {start, heading}, args, planner, progress, drive);
+  const auto run = [&](auto controller) {
+    detail::simulate(space, plan_program::value_or_throw(std::move(controller)), {start, heading},
+                     args, planner, progress, drive);
+  };
+  if (args.controller == ControllerKind::band) {
+    run(LocalPlanner<S>::build(space, {.control = control}));
+  } else {
+    run(PathFollower<S>::build(space, {.control = control}));
+  }
   return drive;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -144,9 +145,11 @@ std::optional<bool> is_connected(const S& space, const Point& robot, const Point
   for (const MovingObstacle& obstacle : obstacles) workspace.obstacles.push_back(obstacle.shape);
   const auto inflated = InflatedSpace::build(std::move(workspace));
   if (!inflated) return std::nullopt;
+  // Odometry's errors may have led the robot out of the bounds a little.
+  const Point start = inflated->bounds().clamp(robot);
   Planner planner{TangentGraph{}};
   const auto plan =
-      planner.plan(*inflated, {.start = robot, .goal = goal, .budget = Budget::for_seconds(10)});
+      planner.plan(*inflated, {.start = start, .goal = goal, .budget = Budget::for_seconds(10)});
   if (plan) return true;
   const PlanError code = plan.error().code;
   if (code == PlanError::unreachable || code == PlanError::goal_blocked) return false;

@@ -23,12 +23,13 @@ void define_options(CLI::App& app, Arguments& args, std::string& start, std::str
   app.add_option_function<std::string>(
       "--controller",
       [&args](const std::string& text) {
-        if (text != "pursuit") {
-          throw UsageError{"--controller: unknown name \"" + text + "\" (pursuit)"};
+        if (text != "band" && text != "pursuit") {
+          throw UsageError{"--controller: unknown name \"" + text + "\" (band or pursuit)"};
         }
-        args.controller = ControllerKind::pursuit;
+        args.controller = text == "band" ? ControllerKind::band : ControllerKind::pursuit;
       },
-      "What drives the robot: pursuit (default)");
+      "What drives the robot: band (default; drives around obstacles) or pursuit (stops, and asks "
+      "for another path)");
   app.add_option("--obstacles", args.obstacles, "How many obstacles appear in front of the robot")
       ->check(CLI::Range(0, 1000));
   app.add_option("--seed", args.seed, "Seed for the obstacles and the noise");

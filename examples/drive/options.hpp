@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "../plan/options.hpp"
 
@@ -15,14 +16,19 @@ namespace drive_program {
 
 /// What drives the robot.
 enum class ControllerKind {
+  band,     ///< LocalPlanner
   pursuit,  ///< PathFollower
 };
+
+constexpr std::string_view to_string(ControllerKind kind) {
+  return kind == ControllerKind::band ? "band" : "pursuit";
+}
 
 /// The options as given. An empty text means that the option was not given.
 struct Arguments {
   plan_program::Arguments input{};  ///< the map, the start and the goal
   std::optional<double> heading{};  ///< at the start [rad]; default: along the path
-  ControllerKind controller = ControllerKind::pursuit;
+  ControllerKind controller = ControllerKind::band;
   std::uint64_t seed = 0;              ///< of the obstacles and the noise
   std::size_t obstacles = 0;           ///< that appear
   double noise = 0;                    ///< bound on the odometry's error [m] and [rad]

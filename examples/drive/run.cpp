@@ -46,7 +46,7 @@ void print_task(const Task& task, const Arguments& args, const Drive& drive) {
   using tutavia::detail::number_text;
   print_row("map", task.scene.name.empty() ? args.input.workspace : task.scene.name);
   print_row("safety radius", number_text(task.scene.workspace.safety_radius) + " m");
-  print_row("controller", "pursuit");
+  print_row("controller", std::string(to_string(args.controller)));
   std::string path = in_metres(drive.path.curve.length());
   path += drive.path.margin > 0
               ? ", " + number_text(drive.path.margin) + " m and more beyond the safety radius"
