@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -91,10 +92,12 @@ class LocalPlanner {
 
   /// A way to the end, and the band along its next part.
   struct Candidate {
-    detail::TrackedPath way;
-    Band band;
-    bool is_blocked = false;
+    detail::TrackedPath way{};
+    Band band{};
+    double free_for = std::numeric_limits<double>::infinity();  // until it is blocked [m]
     bool turns_first = false;  // on the spot, before its band is optimised
+
+    bool is_blocked() const { return free_for < std::numeric_limits<double>::infinity(); }
   };
 
   LocalPlanner(MotionGate<S> gate, LocalPlannerOptions options)
@@ -113,6 +116,8 @@ class LocalPlanner {
   bool obstacles_changed(std::span<const MovingObstacle> observed);
   void search_ways(const Pose& pose, std::span<const MovingObstacle> observed);
   void choose();
+  /// Whether there is no way on, or the robot does not get on though it should.
+  bool must_wait() const;
   /// Brings the band of a candidate to the robot, and optimises it.
   void update_band(Candidate& candidate, const Pose& pose,
                    std::span<const MovingObstacle> observed);
@@ -122,6 +127,10 @@ class LocalPlanner {
   static double heading_error(const Candidate& candidate, const Pose& pose);
   /// The twist along the band, or on the spot towards the way.
   Twist wanted(const Candidate& candidate, const Pose& pose) const;
+  /// Where the gate does not let the band's twist through: along the way itself, slowly, if that
+  /// passes; or on the spot, to face along it.
+  Twist carefully(const Candidate& candidate, const Pose& pose, const Pose& odometry,
+                  std::span<const MovingObstacle> observed, const Twist& refused) const;
   bool passes(const Pose& odometry, const Twist& twist,
               std::span<const MovingObstacle> observed) const {
     return gate_.check(odometry, gate_.reachable(twist), options_.control.hold, observed).proved;
@@ -135,7 +144,7 @@ class LocalPlanner {
   std::vector<MovingObstacle> seen_;
   LocalPlannerReport report_;
   int since_search_ = 0;
-  int stopped_ = 0;  // periods without motion
+  int standing_ = 0;  // periods without motion along a way
 };
 
 template <FeatureSpace S>
@@ -178,10 +187,11 @@ template <FeatureSpace S>
 Expected<void, Failure> LocalPlanner<S>::follow(Curve path) {
   if (path.empty()) return fail(PlanError::invalid_input, "the path is empty");
   path_ = detail::TrackedPath(std::move(path));
-  candidates_.assign(1, Candidate{path_, {}, false});
+  candidates_.assign(1, Candidate{.way = path_});
   report_ = {};
   seen_.clear();
   since_search_ = options_.search_interval;
+  standing_ = 0;
   return {};
 }
 
@@ -199,10 +209,11 @@ DriveCommand LocalPlanner<S>::step(const Pose& odometry, std::span<const MovingO
   }
   update_ways(pose, observed);
   report_.detours_us = lap(last);
+  if (must_wait()) return gate_.brake(odometry, observed);
   update_band(candidates_[report_.chosen], pose, observed);
   Twist twist = wanted(candidates_[report_.chosen], pose);
   report_.band_us = lap(last);
-  bool passed = !candidates_[report_.chosen].is_blocked && passes(odometry, twist, observed);
+  bool passed = !candidates_[report_.chosen].is_blocked() && passes(odometry, twist, observed);
   for (std::size_t i = 0; !passed && i < candidates_.size(); ++i) {
     if (i == report_.chosen) continue;
     // Another way is not waited for if it is free.
@@ -216,11 +227,13 @@ DriveCommand LocalPlanner<S>::step(const Pose& odometry, std::span<const MovingO
       report_.chosen = before;
     }
   }
+  if (!passed) twist = carefully(candidates_[report_.chosen], pose, odometry, observed, twist);
   report_.band_us += lap(last);
   DriveCommand command = gate_.command(odometry, twist, observed);
   report_.gate_us = lap(last);
   const bool moves = !command.twist.is_zero();
-  stopped_ = moves ? 0 : stopped_ + 1;
+  standing_ =
+      std::abs(command.twist.v) > 0.01 * options_.control.limits.max_speed ? 0 : standing_ + 1;
   if (!moves && command.status == DriveStatus::driving) command.status = DriveStatus::blocked;
   return command;
 }
@@ -248,15 +261,17 @@ void LocalPlanner<S>::update_ways(const Pose& pose, std::span<const MovingObstac
     Candidate& candidate = candidates_[i];
     const double distance = candidate.way.advance(pose.position);
     if (i == report_.chosen) astray = distance;
-    candidate.is_blocked =
-        candidate.way.first_block(observed, demanded(), options_.control.limits.max_speed, ahead)
-            .has_value();
+    const auto block =
+        candidate.way.first_block(observed, demanded(), options_.control.limits.max_speed, ahead);
+    candidate.free_for =
+        block ? block->s - candidate.way.progress() : std::numeric_limits<double>::infinity();
   }
   report_.candidates = candidates_.size();
   ++since_search_;
   const bool changed = obstacles_changed(observed);
-  const bool needed = candidates_[report_.chosen].is_blocked || astray > 1 ||
-                      (changed && candidates_.size() > 1) || (stopped_ > 0 && stopped_ % 10 == 0);
+  if (changed) standing_ = 0;
+  const bool needed = candidates_[report_.chosen].is_blocked() || astray > 1 ||
+                      (changed && candidates_.size() > 1) || (standing_ > 0 && standing_ % 10 == 0);
   if (needed && since_search_ >= options_.search_interval) search_ways(pose, observed);
   choose();
 }
@@ -288,13 +303,13 @@ void LocalPlanner<S>::search_ways(const Pose& pose, std::span<const MovingObstac
     return;
   }
   std::vector<Candidate> ways;
-  if (!candidates_[report_.chosen].is_blocked) {
+  if (!candidates_[report_.chosen].is_blocked()) {
     ways.push_back(std::move(candidates_[report_.chosen]));
   }
   const std::optional<Curve> second =
       block ? detours.other_side(query, *first, block->obstacle) : std::nullopt;
-  ways.push_back({detail::TrackedPath(std::move(*first)), {}, false});
-  if (second) ways.push_back({detail::TrackedPath(*second), {}, false});
+  ways.push_back(Candidate{.way = detail::TrackedPath(std::move(*first))});
+  if (second) ways.push_back(Candidate{.way = detail::TrackedPath(*second)});
   candidates_ = std::move(ways);
   report_.chosen = 0;
   report_.candidates = candidates_.size();
@@ -304,11 +319,20 @@ template <FeatureSpace S>
 void LocalPlanner<S>::choose() {
   const auto cost = [&](std::size_t i) {
     const Candidate& candidate = candidates_[i];
-    return candidate.way.remaining() + (candidate.is_blocked ? 1e6 : 0.0);
+    return candidate.way.remaining() + (candidate.is_blocked() ? 1e6 : 0.0);
   };
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     if (cost(i) + options_.switch_gain < cost(report_.chosen)) report_.chosen = i;
   }
+}
+
+template <FeatureSpace S>
+bool LocalPlanner<S>::must_wait() const {
+  if (report_.failure && candidates_[report_.chosen].is_blocked()) return true;
+  // Long enough to turn around twice.
+  const DriveLimits& limits = options_.control.limits;
+  const double patience = 5 + 4 * std::numbers::pi / limits.max_angular_speed;
+  return standing_ * options_.control.period > patience;
 }
 
 template <FeatureSpace S>
@@ -326,7 +350,7 @@ bool LocalPlanner<S>::lay_or_shift(Candidate& candidate, const Pose& pose) const
   }
   const CurvePoint target = way.curve().at(end);
   // A robot that does not move though nothing blocks it begins anew.
-  const bool keep = stopped_ % 5 != 4 && band.poses.size() >= nearest + 4 &&
+  const bool keep = standing_ % 10 != 9 && band.poses.size() >= nearest + 4 &&
                     distance(pose.position, band.poses[nearest].position) < 0.3 &&
                     distance(target.position, band.poses.back().position) < 0.5;
   if (!keep) {
@@ -374,6 +398,20 @@ void LocalPlanner<S>::update_band(Candidate& candidate, const Pose& pose,
   auto report = options_.band.optimize(gate_.space(), observed, task, candidate.band, scratch_);
   if (!report) return candidate.band.clear();
   report_.band = *report;
+}
+
+template <FeatureSpace S>
+Twist LocalPlanner<S>::carefully(const Candidate& candidate, const Pose& pose, const Pose& odometry,
+                                 std::span<const MovingObstacle> observed,
+                                 const Twist& refused) const {
+  if (std::abs(gate_.last().v) > 0.5 * options_.control.limits.max_speed) return refused;
+  const detail::TrackedPath& way = candidate.way;
+  const Point ahead = way.near(way.progress() + 0.15).position;
+  const Point to{ahead.x() - pose.position.x(), ahead.y() - pose.position.y()};
+  const double error = std::remainder(heading(to) - pose.heading, 2 * std::numbers::pi);
+  const Twist along{0.25 * options_.control.limits.max_speed, error};
+  if (std::abs(error) < 0.3 && passes(odometry, along, observed)) return along;
+  return std::abs(error) > 0.05 ? Twist{0, 2 * error} : refused;
 }
 
 template <FeatureSpace S>

@@ -193,7 +193,7 @@ Twist MotionGate<S>::reachable(const Twist& wanted) const {
   const double step = limits.max_acceleration * options_.period * (1 - 1e-4);
   const double turn = limits.max_angular_acceleration * options_.period * (1 - 1e-4);
   const double least_turn = 1e-4 * limits.max_angular_acceleration * options_.period;
-  const double slowest = std::max(-limits.max_backward_speed, last().v - step);
+  const double slowest = std::max(0.0 - limits.max_backward_speed, last().v - step);
   const double fastest = std::min(limits.max_speed, last().v + step);
   const double right = std::max(-limits.max_angular_speed, last().omega - turn);
   const double left = std::min(limits.max_angular_speed, last().omega + turn);
@@ -245,7 +245,20 @@ MotionProof MotionGate<S>::check(const Pose& odometry, const Twist& twist, int h
                                  std::span<const MovingObstacle> observed) const {
   if (!accepts(odometry, observed)) return {};
   if (twist.v == 0) return {.proved = true};
-  return check(motion(odometry, twist, hold, braking_periods(twist), observed), observed);
+  const int periods = braking_periods(twist);
+  const MotionProof proof = check(motion(odometry, twist, hold, periods, observed), observed);
+  if (!proof.proved || hold == 1) return proof;
+  // A robot that brakes at the next chance stops on the same arc, but where obstacles that move may
+  // come to while they would have missed it farther on.
+  const Motion soon = motion(odometry, twist, 1, periods, observed);
+  const Piece path = path_of(soon.from, soon.twist, whole_time(soon));
+  for (std::uint32_t i = 0; i < observed.size(); ++i) {
+    if (observed[i].stands()) continue;
+    MotionProof early = check_observed(soon, path, observed[i]);
+    early.blocker.obstacle = i;
+    if (!early.proved) return early;
+  }
+  return proof;
 }
 
 template <ClearanceSpace S>
