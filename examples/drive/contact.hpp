@@ -16,8 +16,8 @@
 /// \file
 /// The judge of contacts: how near a robot comes to obstacles, over continuous time.
 ///
-/// It shares no computation with the library's controllers but `moved` and the distances between
-/// points and segments.
+/// Of what the library's controllers compute it shares `moved`, distances between points and
+/// segments, and the map's edges: not the distances of arcs, and nothing about time.
 
 namespace drive_program {
 

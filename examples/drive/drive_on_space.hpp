@@ -11,6 +11,7 @@
 #include "simulator.hpp"
 #include "tutavia/motion/local_planner.hpp"
 #include "tutavia/motion/path_follower.hpp"
+#include "tutavia/search/query_checks.hpp"
 
 /// \file
 /// drive_on: the drive on a kind of space.
@@ -72,6 +73,10 @@ Expected<Drive, Failure> drive_on(const S& space, const plan_program::Task& task
                                   const Arguments& args, const Progress& progress) {
   plan_program::MapFrame frame = task.frame;
   const Point start = frame.to_grid(task.scene.start), goal = frame.to_grid(task.scene.goals[0]);
+  // The planner takes starts that noise led out of the bounds or into a zone; users' it must not.
+  if (auto valid = check_query(space, {.start = start, .goal = goal}); !valid) {
+    return std::move(valid).unexpected();
+  }
   const ControlOptions control = detail::control_options(args);
   GlobalPlanner<S> planner(space, 0.1 + 3 * args.noise);
   auto path = planner.plan(start, goal);

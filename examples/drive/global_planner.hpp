@@ -28,22 +28,24 @@ namespace drive_program {
 
 using namespace tutavia;
 
-/// The space with more obstacles, standing where they are now, at another safety radius.
+/// The space with more obstacles, standing where they are now, with a margin beyond the safety
+/// radius, and within the bounds [m].
 inline Expected<LatticeSpace, Failure> with_obstacles(const LatticeSpace& space,
                                                       std::span<const MovingObstacle> obstacles,
-                                                      double safety_radius) {
-  if (obstacles.empty()) return space.with_safety_radius(safety_radius);
+                                                      double margin) {
   Workspace workspace = space.workspace();
-  workspace.safety_radius = safety_radius;
+  workspace.safety_radius += margin;
+  workspace.bounds = workspace.bounds.inflated(-margin);
   for (const MovingObstacle& obstacle : obstacles) workspace.obstacles.push_back(obstacle.shape);
   return LatticeSpace::build(
       workspace, {.resolution = space.frame().resolution, .movement = space.movement()});
 }
 
-/// The same on cells: all that an obstacle may touch are blocked.
+/// The same on cells: all that an obstacle may touch are blocked. The bounds stay.
 inline Expected<CellSpace, Failure> with_obstacles(const CellSpace& space,
                                                    std::span<const MovingObstacle> obstacles,
-                                                   double safety_radius) {
+                                                   double margin) {
+  const double safety_radius = space.safety_radius() + margin;
   if (obstacles.empty()) return space.with_safety_radius(safety_radius);
   OccupancyGrid cells = space.cells();
   const double side = space.frame().resolution;
@@ -79,7 +81,9 @@ struct GlobalPath {
 };
 
 /// Plans paths that keep a margin beyond the safety radius, so that a controller can follow them:
-/// the widest margin with which there is a path.
+/// the widest margin with which there is a path. Replanning from a start in the margin, or a little
+/// outside the bounds, leaves it on a segment to the nearest point with the margin; the controller
+/// has to prove that segment.
 template <class S>
 class GlobalPlanner {
  public:
@@ -102,19 +106,19 @@ class GlobalPlanner {
  private:
   Expected<GlobalPath, Failure> plan_with(double margin, const Point& start, const Point& goal,
                                           std::span<const MovingObstacle> obstacles) {
-    const auto space = with_obstacles(space_, obstacles, space_.safety_radius() + margin);
+    const auto space = with_obstacles(space_, obstacles, margin);
     if (!space) return Unexpected{space.error()};
-    auto plan = planner_.plan(*space, {.start = start, .goal = goal});
-    if (plan) return GlobalPath{std::move(plan->curve), margin};
-    const std::optional<Point> safe = plan.error().nearest_safe_point;
-    if (plan.error().code != PlanError::start_blocked || !safe) {
-      return std::move(plan).unexpected();
+    auto plan = planner_.plan(*space, {.start = space->bounds().clamp(start), .goal = goal});
+    if (!plan && plan.error().code == PlanError::start_blocked) {
+      if (const std::optional<Point> safe = plan.error().nearest_safe_point) {
+        plan = planner_.plan(*space, {.start = *safe, .goal = goal});
+      }
     }
-    auto rest = planner_.plan(*space, {.start = *safe, .goal = goal});
-    if (!rest) return std::move(rest).unexpected();
+    if (!plan) return std::move(plan).unexpected();
+    if (plan->curve.start() == start) return GlobalPath{std::move(plan->curve), margin};
     Curve curve;
-    curve.push_back(Segment{start, *safe});
-    for (const Piece& piece : rest->curve.pieces()) curve.push_back(piece);
+    curve.push_back(Segment{start, plan->curve.start()});
+    for (const Piece& piece : plan->curve.pieces()) curve.push_back(piece);
     return GlobalPath{std::move(curve), margin};
   }
 

@@ -81,6 +81,7 @@ void to_map(const MapFrame& frame, Drive& drive) {
     row.pose.position = frame.to_map(row.pose.position);
     row.pose.heading += frame.yaw();
   }
+  drive.path.curve = frame.to_map(drive.path.curve);
   for (FollowedPath& path : drive.result.paths) path.curve = frame.to_map(path.curve);
   const Point origin = frame.to_map(Point(0, 0));
   for (Encounter& e : drive.encounters) {

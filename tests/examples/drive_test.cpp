@@ -184,6 +184,8 @@ TEST_CASE("tutavia-drive says with code 1 that there is no path, or that the rob
   const DriveOutcome blocked = folder.run("--map maze --goal 0.5,2");
   CHECK(blocked.code == 1);
   CHECK(text_has(blocked.out, "no path: goal_blocked"));
+  CHECK(text_has(folder.run("--map maze --start 0.5,2").out, "no path: start_blocked"));
+  CHECK(text_has(folder.run("--map maze --start -1,1").out, "no path: start_out_of_bounds"));
   const DriveOutcome late = folder.run("--map maze --time-limit 3");
   CHECK(late.code == 1);
   CHECK(text_has(late.out, "result         timed out"));
