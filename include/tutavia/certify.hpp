@@ -7,3 +7,4 @@
 #include "tutavia/certify/certificate.hpp"
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/certify/piece_proof.hpp"
+#include "tutavia/certify/revalidate.hpp"
