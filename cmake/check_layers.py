@@ -39,7 +39,8 @@ LAYERS = [
      ("optimum.hpp", "the length of the shortest path there is"),
      ("registry", "the options of every algorithm as tables")],
     [("any_algorithm.hpp", "searchers and smoothers chosen at run time"),
-     ("io", "files and pictures"), ("batch.hpp", "many queries on many threads")],
+     ("io", "files and pictures"), ("batch.hpp", "many queries on many threads"),
+     ("repair.hpp", "plans for obstacles that have changed")],
     [("registry.hpp", "every algorithm by its name")],
 ]
 LEVEL = {unit: level for level, units in enumerate(LAYERS) for unit, _ in units}

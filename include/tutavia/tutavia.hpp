@@ -16,6 +16,7 @@
 #include "tutavia/optimum.hpp"
 #include "tutavia/plan.hpp"
 #include "tutavia/planner.hpp"
+#include "tutavia/repair.hpp"
 #include "tutavia/search.hpp"
 #include "tutavia/smooth.hpp"
 #include "tutavia/space.hpp"
