@@ -277,7 +277,7 @@ TEST_CASE("an obstacle in one gate of a slalom leaves the other gates as they we
   CHECK(repaired.plan.curve.length() < 1.02 * anew.curve.length());
 }
 
-TEST_CASE("a repair fails as a plan does: at a blocked goal, behind a wall, when cancelled") {
+TEST_CASE("a repair fails as a plan does: at a blocked end, behind a wall, out of budget") {
   const auto space = build_inflated(slalom());
   Planner planner(TangentGraph{}, NoSmoothing{});
   const Plan plan = planner.plan(space, slalom_query).value();
@@ -296,6 +296,11 @@ TEST_CASE("a repair fails as a plan does: at a blocked goal, behind a wall, when
   const auto walled = repaired_with(wall, slalom_query);
   CHECK(walled.error().code == PlanError::unreachable);
   CHECK(walled.error().stats.expanded > 0);
+  Query limited = slalom_query;
+  limited.budget.max_expansions = 1;
+  const Obstacle in_the_way = Disc{plan.curve.point(0.5 * plan.curve.length()), 0.3};
+  CHECK(repaired_with(in_the_way, slalom_query).has_value());
+  CHECK(repaired_with(in_the_way, limited).error().code == PlanError::budget_exhausted);
   std::stop_source source;
   source.request_stop();
   Query cancelled = slalom_query;

@@ -174,13 +174,10 @@ class CurveRepair {
   Expected<std::optional<Repaired>, Failure> around(std::size_t first, std::size_t last) {
     first_ = first;
     last_ = old_.curve.pieces().size() - 1 - last;
-    for (const std::size_t spare : {1, 4}) {
+    for (const std::size_t spare : {std::size_t{1}, std::size_t{4}}) {
       spare_front_ = spare_back_ = spare;
       if (!set_anchors() || replaced_length() > options_.largest_part * old_.curve.length()) break;
-      Query query = query_;
-      query.start = from_.point;
-      query.goal = to_.point;
-      auto local = planner_.plan(space_, query);
+      auto local = planner_.plan(space_, query_between(from_.point, to_.point));
       add(local ? local->stats : local.error().stats);
       if (!local) {
         const PlanError code = local.error().code;
@@ -197,7 +194,7 @@ class CurveRepair {
 
   /// Plans from start to goal. The statistics include all earlier searches.
   Expected<Repaired, Failure> anew() {
-    auto plan = planner_.plan(space_, query_);
+    auto plan = planner_.plan(space_, query_between(query_.start, query_.goal));
     if (!plan) {
       add(plan.error().stats);
       plan.error().stats = stats_;
@@ -221,6 +218,15 @@ class CurveRepair {
   }
   static double micros_since(Clock::time_point begin) {
     return std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+  }
+
+  /// The query between two points, within what is left of the budget.
+  Query query_between(const Point& start, const Point& goal) const {
+    Query query = query_;
+    query.start = start;
+    query.goal = goal;
+    query.budget.max_expansions -= std::min(stats_.expanded, query.budget.max_expansions);
+    return query;
   }
 
   /// Sets the anchors. Returns false if nothing of the curve would stay.
@@ -339,7 +345,7 @@ class CurveRepair {
     return front_fits_ && back_fits_ && length <= options_.max_detour * replaced_length();
   }
 
-  /// The length of what stays between the kept pieces [m].
+  /// The length of the earlier curve between the kept pieces [m].
   double replaced_length() const {
     const std::size_t end = old_.curve.pieces().size() - to_.kept;
     return old_.curve.length_before(end) - old_.curve.length_before(from_.kept);
