@@ -82,7 +82,7 @@ DriveResult simulate(const S& space, C controller, const Curve& path, const Argu
                                   .position_error = control.position_error,
                                   .heading_error = control.heading_error,
                                   .time_limit = 600 + 4 * path.length() / control.limits.max_speed,
-      .patience = 90,
+                                  .patience = 90,
                                   .seed = seed};
   const auto replan = [&](const Pose& odometry, std::span<const MovingObstacle> observed) {
     auto found = planner.plan(odometry.position, path.end(), observed);
@@ -96,7 +96,11 @@ DriveResult simulate(const S& space, C controller, const Curve& path, const Argu
   for (const Encounter& e : encounters.all()) {
     if (e.stays()) standing.push_back(e.obstacle);
   }
-  result.is_connected = is_connected(space, result.end.position, path.end(), standing);
+  // The robot needs the odometry's errors as room, see MotionGate.
+  const double margin =
+      value_or_throw(LocalPlanner<S>::build(space, {.control = control})).demanded_clearance() -
+      space.safety_radius();
+  result.is_connected = is_connected(space, result.end.position, path.end(), standing, margin);
   return result;
 }
 

@@ -139,13 +139,14 @@ inline Workspace workspace_of(const CellSpace& space) {
   return workspace;
 }
 
-/// Whether there is a path from a robot to the goal that keeps the safety radius from the map and
-/// from obstacles, by an exact search; nothing if that takes longer than ten seconds or the robot
-/// is in contact.
+/// Whether there is a path from a robot to the goal that keeps the safety radius and a margin from
+/// the map and from obstacles, by an exact search; nothing if that takes longer than ten seconds or
+/// the robot is in contact.
 template <class S>
 std::optional<bool> is_connected(const S& space, const Point& robot, const Point& goal,
-                                 std::span<const MovingObstacle> obstacles) {
+                                 std::span<const MovingObstacle> obstacles, double margin = 0) {
   Workspace workspace = workspace_of(space);
+  workspace.safety_radius += margin;
   for (const MovingObstacle& obstacle : obstacles) workspace.obstacles.push_back(obstacle.shape);
   const auto inflated = InflatedSpace::build(std::move(workspace));
   if (!inflated) return std::nullopt;

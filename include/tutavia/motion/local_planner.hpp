@@ -81,6 +81,9 @@ class LocalPlanner {
   DriveCommand step(const Pose& odometry, std::span<const MovingObstacle> observed);
 
   const LocalPlannerOptions& options() const { return options_; }
+  /// The distance from obstacles that the gate demands at full speed [m]: what a path has to keep
+  /// for the robot to follow it.
+  double demanded_clearance() const;
   const LocalPlannerReport& report() const { return report_; }
   /// The way that is followed at present: the path, or a detour and the rest of it.
   const Curve& way() const { return candidates_[report_.chosen].way.curve(); }
@@ -110,8 +113,6 @@ class LocalPlanner {
     return elapsed.count();
   }
 
-  /// The distance that the gate demands at full speed [m].
-  double demanded() const;
   void update_ways(const Pose& pose, std::span<const MovingObstacle> observed);
   bool obstacles_changed(std::span<const MovingObstacle> observed);
   void search_ways(const Pose& pose, std::span<const MovingObstacle> observed);
@@ -166,13 +167,13 @@ Expected<LocalPlanner<S>, Failure> LocalPlanner<S>::build(const S& space,
   options.band.limits = options.control.limits;
   LocalPlanner planner(std::move(*gate), std::move(options));
   TimedElasticBand& band = planner.options_.band;
-  band.clearance = std::max(band.clearance, planner.demanded() + planner.options_.margin);
+  band.clearance = std::max(band.clearance, planner.demanded_clearance() + planner.options_.margin);
   if (auto valid = band.validate(); !valid) return std::move(valid).unexpected();
   return planner;
 }
 
 template <FeatureSpace S>
-double LocalPlanner<S>::demanded() const {
+double LocalPlanner<S>::demanded_clearance() const {
   const ControlOptions& control = options_.control;
   const DriveLimits& limits = control.limits;
   const double braking = std::max(limits.max_speed / limits.max_acceleration,
@@ -261,8 +262,8 @@ void LocalPlanner<S>::update_ways(const Pose& pose, std::span<const MovingObstac
     Candidate& candidate = candidates_[i];
     const double distance = candidate.way.advance(pose.position);
     if (i == report_.chosen) astray = distance;
-    const auto block =
-        candidate.way.first_block(observed, demanded(), options_.control.limits.max_speed, ahead);
+    const auto block = candidate.way.first_block(observed, demanded_clearance(),
+                                                 options_.control.limits.max_speed, ahead);
     candidate.free_for =
         block ? block->s - candidate.way.progress() : std::numeric_limits<double>::infinity();
   }
@@ -283,10 +284,10 @@ void LocalPlanner<S>::search_ways(const Pose& pose, std::span<const MovingObstac
   report_.failure.reset();
   const double speed = options_.control.limits.max_speed;
   const double ahead = options_.horizon + 1;
-  const auto block = path_.first_block(observed, demanded(), speed, ahead);
+  const auto block = path_.first_block(observed, demanded_clearance(), speed, ahead);
   const double after = std::min(path_.length(), (block ? block->s : path_.progress()) + 0.5);
-  double clearance = demanded() + options_.margin;
-  double least = demanded() + 0.2 * options_.margin;
+  double clearance = demanded_clearance() + options_.margin;
+  double least = demanded_clearance() + 0.2 * options_.margin;
   double here = gate_.space().clearance(pose.position);
   for (const MovingObstacle& obstacle : observed) {
     const Segment point{pose.position, pose.position};
