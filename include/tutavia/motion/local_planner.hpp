@@ -129,7 +129,7 @@ class LocalPlanner {
   /// The twist along the band, or on the spot towards the way.
   Twist wanted(const Candidate& candidate, const Pose& pose) const;
   /// Where the gate does not let the band's twist through: along the way itself, slowly, if that
-  /// passes; or on the spot, to face along it.
+  /// passes; or on the spot, to face along it; or, after some time, wherever the robot may drive.
   Twist carefully(const Candidate& candidate, const Pose& pose, const Pose& odometry,
                   std::span<const MovingObstacle> observed, const Twist& refused) const;
   bool passes(const Pose& odometry, const Twist& twist,
@@ -221,7 +221,9 @@ DriveCommand LocalPlanner<S>::step(const Pose& odometry, std::span<const MovingO
     const std::size_t before = std::exchange(report_.chosen, i);
     update_band(candidates_[i], pose, observed);
     const Twist other = wanted(candidates_[i], pose);
-    passed = passes(odometry, other, observed);
+    // Turning on the spot always passes, and is no reason to leave a way that is free.
+    const bool gets_on = other.v != 0 || candidates_[before].is_blocked();
+    passed = gets_on && passes(odometry, other, observed);
     if (passed) {
       twist = other;
     } else {
@@ -405,14 +407,25 @@ template <FeatureSpace S>
 Twist LocalPlanner<S>::carefully(const Candidate& candidate, const Pose& pose, const Pose& odometry,
                                  std::span<const MovingObstacle> observed,
                                  const Twist& refused) const {
-  if (std::abs(gate_.last().v) > 0.5 * options_.control.limits.max_speed) return refused;
+  const double full = 2 * std::numbers::pi, slow = 0.25 * options_.control.limits.max_speed;
+  if (std::abs(gate_.last().v) > 2 * slow) return refused;
   const detail::TrackedPath& way = candidate.way;
   const Point ahead = way.near(way.progress() + 0.15).position;
   const Point to{ahead.x() - pose.position.x(), ahead.y() - pose.position.y()};
-  const double error = std::remainder(heading(to) - pose.heading, 2 * std::numbers::pi);
-  const Twist along{0.25 * options_.control.limits.max_speed, error};
-  if (std::abs(error) < 0.3 && passes(odometry, along, observed)) return along;
-  return std::abs(error) > 0.05 ? Twist{0, 2 * error} : refused;
+  const double along = heading(to), error = std::remainder(along - pose.heading, full);
+  if (std::abs(error) < 0.3 && passes(odometry, {slow, error}, observed)) return {slow, error};
+  const bool is_stuck = standing_ * options_.control.period > 5 && gate_.last().v == 0;
+  if (!is_stuck) return std::abs(error) > 0.05 ? Twist{0, 2 * error} : refused;
+  // Out of a niche, in whatever direction is proved and nearest to the way.
+  constexpr int directions = 16;
+  for (int k = 0; k < directions; ++k) {
+    const double off = full / directions * ((k + 1) / 2) * (k % 2 == 0 ? 1 : -1);
+    const double turn = std::remainder(along + off - pose.heading, full);
+    if (!passes({odometry.position, odometry.heading + turn}, {slow, 0}, observed)) continue;
+    if (std::abs(turn) < 0.1 && passes(odometry, {slow, 0}, observed)) return {slow, 0};
+    return {0, 2 * turn};
+  }
+  return refused;
 }
 
 template <FeatureSpace S>
