@@ -42,8 +42,9 @@ struct MotionProof {
 /// An obstacle may still drive into a robot that stands. Turning on the spot moves no point of a
 /// disc and always passes. The map's bounds limit the robot's centre, without the errors.
 ///
-/// The odometry's errors are added to the safety radius: three times while the robot drives, so that
-/// it stops where noise does not hold it, and once where it sets off or is nearer already.
+/// The odometry's errors are added to the safety radius: once up to a quarter of the greatest
+/// speed, three times beyond, so that a robot stops where noise does not hold it; and once where it
+/// is nearer already.
 ///
 /// The gate remembers the commands it issued. Use one for each robot. Apart from `build`, nothing
 /// allocates memory.
@@ -233,7 +234,8 @@ typename MotionGate<S>::Motion MotionGate<S>::motion(
   result.reach = before.length + std::abs(twist.v) * whole_time(result);
   const double error = options_.position_error + options_.heading_error * result.reach;
   const double radius = space_->safety_radius();
-  const double most = radius * (1 + 1e-3) + (last().is_zero() ? 1 : 3) * error;
+  const bool is_slow = std::abs(twist.v) <= 0.26 * options_.limits.max_speed;
+  const double most = radius * (1 + 1e-3) + (is_slow ? 1 : 3) * error;
   result.distance = std::clamp(clearance_at(before.end.position, options_.latency, observed),
                                radius + error, most);
   return result;
