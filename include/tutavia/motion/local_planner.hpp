@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -62,7 +62,7 @@ struct LocalPlannerReport {
 /// stopped on its own and not on the other. If no way is left, it stands (`blocked`) and searches
 /// on: `report().failure` has the reason.
 ///
-/// Steps that search no detour allocate nothing once all obstacles have been seen.
+/// Steps that search no detour allocate only to grow: where more obstacles are near than before.
 ///
 /// Example: examples/local_planning.cpp.
 template <FeatureSpace S>
@@ -97,10 +97,13 @@ class LocalPlanner {
   struct Candidate {
     detail::TrackedPath way{};
     Band band{};
-    double free_for = std::numeric_limits<double>::infinity();  // until it is blocked [m]
-    bool turns_first = false;  // on the spot, before its band is optimised
+    std::optional<detail::TrackedPath::Block> block{};  // the first one ahead
+    double astray = 0;                                  // the robot's distance from the way [m]
+    bool turns_first = false;                           // on the spot, before its band is optimised
 
-    bool is_blocked() const { return free_for < std::numeric_limits<double>::infinity(); }
+    bool is_blocked() const { return block.has_value(); }
+    /// The robot is too far off to get back; near the end there is little way left for it.
+    bool is_lost() const { return astray > std::min(1.0, 0.2 + way.remaining()); }
   };
 
   LocalPlanner(MotionGate<S> gate, LocalPlannerOptions options)
@@ -119,6 +122,10 @@ class LocalPlanner {
   void choose();
   /// Whether there is no way on, or the robot does not get on though it should.
   bool must_wait() const;
+  /// Brakes at the end of the path.
+  DriveCommand arrive(const Pose& odometry, std::span<const MovingObstacle> observed);
+  /// Brakes, and names what blocks the way.
+  DriveCommand wait(const Pose& odometry, std::span<const MovingObstacle> observed);
   /// Brings the band of a candidate to the robot, and optimises it.
   void update_band(Candidate& candidate, const Pose& pose,
                    std::span<const MovingObstacle> observed);
@@ -144,6 +151,7 @@ class LocalPlanner {
   TimedElasticBand::Scratch scratch_;
   std::vector<MovingObstacle> seen_;
   LocalPlannerReport report_;
+  Blocker blocker_{};  // of the last command that was not waiting
   int since_search_ = 0;
   int standing_ = 0;  // periods without motion along a way
 };
@@ -190,6 +198,7 @@ Expected<void, Failure> LocalPlanner<S>::follow(Curve path) {
   path_ = detail::TrackedPath(std::move(path));
   candidates_.assign(1, Candidate{.way = path_});
   report_ = {};
+  blocker_ = {};
   seen_.clear();
   since_search_ = options_.search_interval;
   standing_ = 0;
@@ -204,13 +213,11 @@ DriveCommand LocalPlanner<S>::step(const Pose& odometry, std::span<const MovingO
   Clock::time_point last = Clock::now();
   const Pose pose = gate_.start_of_command(odometry);
   if (distance(pose.position, path_.curve().end()) <= options_.goal_tolerance) {
-    DriveCommand command = gate_.brake(odometry, observed);
-    if (command.status == DriveStatus::blocked) command.status = DriveStatus::arrived;
-    return command;
+    return arrive(odometry, observed);
   }
   update_ways(pose, observed);
   report_.detours_us = lap(last);
-  if (must_wait()) return gate_.brake(odometry, observed);
+  if (must_wait()) return wait(odometry, observed);
   update_band(candidates_[report_.chosen], pose, observed);
   Twist twist = wanted(candidates_[report_.chosen], pose);
   report_.band_us = lap(last);
@@ -238,6 +245,34 @@ DriveCommand LocalPlanner<S>::step(const Pose& odometry, std::span<const MovingO
   standing_ =
       std::abs(command.twist.v) > 0.01 * options_.control.limits.max_speed ? 0 : standing_ + 1;
   if (!moves && command.status == DriveStatus::driving) command.status = DriveStatus::blocked;
+  blocker_ = command.blocker;
+  if (standing_ == 0) report_.failure.reset();
+  return command;
+}
+
+template <FeatureSpace S>
+DriveCommand LocalPlanner<S>::arrive(const Pose& odometry,
+                                     std::span<const MovingObstacle> observed) {
+  DriveCommand command = gate_.brake(odometry, observed);
+  if (command.status == DriveStatus::stopping || command.status == DriveStatus::blocked) {
+    command.status = gate_.stands() ? DriveStatus::arrived : DriveStatus::driving;
+    command.blocker = {};
+  }
+  return command;
+}
+
+template <FeatureSpace S>
+DriveCommand LocalPlanner<S>::wait(const Pose& odometry, std::span<const MovingObstacle> observed) {
+  DriveCommand command = gate_.brake(odometry, observed);
+  if (command.blocker.kind != Blocker::Kind::none) return command;
+  const Candidate& chosen = candidates_[report_.chosen];
+  if (!chosen.block) {
+    command.blocker = blocker_;
+    return command;
+  }
+  const double time = (chosen.block->s - chosen.way.progress()) / options_.control.limits.max_speed;
+  command.blocker = {Blocker::Kind::observed, static_cast<std::uint32_t>(chosen.block->obstacle),
+                     time, chosen.way.near(chosen.block->s).position};
   return command;
 }
 
@@ -259,21 +294,17 @@ template <FeatureSpace S>
 void LocalPlanner<S>::update_ways(const Pose& pose, std::span<const MovingObstacle> observed) {
   path_.advance(pose.position);
   const double ahead = options_.horizon + 1;
-  double astray = 0;
-  for (std::size_t i = 0; i < candidates_.size(); ++i) {
-    Candidate& candidate = candidates_[i];
-    const double distance = candidate.way.advance(pose.position);
-    if (i == report_.chosen) astray = distance;
-    const auto block = candidate.way.first_block(observed, demanded_clearance(),
-                                                 options_.control.limits.max_speed, ahead);
-    candidate.free_for =
-        block ? block->s - candidate.way.progress() : std::numeric_limits<double>::infinity();
+  for (Candidate& candidate : candidates_) {
+    candidate.astray = candidate.way.advance(pose.position);
+    candidate.block = candidate.way.first_block(observed, demanded_clearance(),
+                                                options_.control.limits.max_speed, ahead);
   }
   report_.candidates = candidates_.size();
   ++since_search_;
   const bool changed = obstacles_changed(observed);
   if (changed) standing_ = 0;
-  const bool needed = candidates_[report_.chosen].is_blocked() || astray > 1 ||
+  const Candidate& chosen = candidates_[report_.chosen];
+  const bool needed = chosen.is_blocked() || chosen.is_lost() ||
                       (changed && candidates_.size() > 1) || (standing_ > 0 && standing_ % 10 == 0);
   if (needed && since_search_ >= options_.search_interval) search_ways(pose, observed);
   choose();
@@ -306,7 +337,7 @@ void LocalPlanner<S>::search_ways(const Pose& pose, std::span<const MovingObstac
     return;
   }
   std::vector<Candidate> ways;
-  if (!candidates_[report_.chosen].is_blocked()) {
+  if (!candidates_[report_.chosen].is_blocked() && !candidates_[report_.chosen].is_lost()) {
     ways.push_back(std::move(candidates_[report_.chosen]));
   }
   const std::optional<Curve> second =
@@ -322,7 +353,7 @@ template <FeatureSpace S>
 void LocalPlanner<S>::choose() {
   const auto cost = [&](std::size_t i) {
     const Candidate& candidate = candidates_[i];
-    return candidate.way.remaining() + (candidate.is_blocked() ? 1e6 : 0.0);
+    return candidate.astray + candidate.way.remaining() + (candidate.is_blocked() ? 1e6 : 0.0);
   };
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     if (cost(i) + options_.switch_gain < cost(report_.chosen)) report_.chosen = i;
