@@ -60,10 +60,10 @@ struct Run {
   DriveResult result{};
 };
 
-/// A random free point.
+/// A random free point in a box.
 template <class S>
-Point free_point(const S& space, Random& random, double clearance) {
-  const Box& b = space.bounds();
+Point free_point(const S& space, const Box& box, Random& random, double clearance) {
+  const Box b{space.bounds().clamp(box.min), space.bounds().clamp(box.max)};
   while (true) {
     const Point p{random.uniform(b.min.x(), b.max.x()), random.uniform(b.min.y(), b.max.y())};
     if (space.clearance(p) >= space.safety_radius() + clearance) return p;
@@ -110,9 +110,10 @@ Run run_once(const S& space, const Arguments& args, std::uint64_t seed) {
   Random random(seed);
   GlobalPlanner<S> planner(space, 0.1 + 3 * args.noise);
   Run run{.seed = seed};
-  for (int attempt = 0; attempt < 50 && !run.exists; ++attempt) {
-    const Point start = free_point(space, random, 0.1 + 3 * args.noise);
-    const Point goal = free_point(space, random, 0.1 + 3 * args.noise);
+  const double room = 0.1 + 3 * args.noise;
+  for (int attempt = 0; attempt < 200 && !run.exists; ++attempt) {
+    const Point start = free_point(space, space.bounds(), random, room);
+    const Point goal = free_point(space, Box::around({start}).inflated(20), random, room);
     if (distance(start, goal) < 5 || distance(start, goal) > 25) continue;
     const auto path = planner.plan(start, goal);
     if (!path) continue;
