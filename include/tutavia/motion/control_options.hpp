@@ -33,6 +33,13 @@ inline Expected<void, Failure> validate(const ControlOptions& options) {
   const auto invalid = [](const char* rule) { return fail(PlanError::invalid_option, rule); };
   if (!(options.period > 0 && std::isfinite(options.period)))
     return invalid("period must be positive and finite");
+  const DriveLimits& limits = options.limits;
+  if (!(limits.max_speed <= 1e4 * options.period * limits.max_acceleration &&
+        limits.max_angular_speed <= 1e4 * options.period * limits.max_angular_acceleration)) {
+    return invalid(
+        "max_acceleration and max_angular_acceleration must stop the robot within 10000 "
+        "periods");
+  }
   if (!is_length(options.latency)) return invalid("latency must be finite and not negative");
   if (!(options.latency <= 64 * options.period))
     return invalid("latency must not exceed 64 periods");

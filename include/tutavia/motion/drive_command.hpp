@@ -9,7 +9,7 @@
 #include "tutavia/motion/differential_drive.hpp"
 
 /// \file
-/// DriveCommand: what a controller tells a robot, and why.
+/// DriveCommand: what a controller tells a robot, and why; MotionProof: whether a motion is safe.
 
 namespace tutavia {
 
@@ -57,6 +57,12 @@ struct Blocker {
       std::numeric_limits<std::uint32_t>::max();  ///< its index; none for bounds
   double time = 0;              ///< from now until the robot would come too close [s]
   Point point = Point::Zero();  ///< where the robot would be then
+};
+
+/// The verdict on one motion of a robot.
+struct MotionProof {
+  bool proved = false;
+  Blocker blocker{};  ///< if not proved
 };
 
 /// The command for one period of control.

@@ -8,9 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "tutavia/certify/piece_proof.hpp"
-#include "tutavia/core/assert.hpp"
 #include "tutavia/motion/control_options.hpp"
+#include "tutavia/motion/drive/braking_motion.hpp"
 #include "tutavia/motion/drive/obstacle_distance.hpp"
 #include "tutavia/motion/drive_command.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -20,12 +19,6 @@
 /// MotionGate: lets only commands through from which a robot can stop in time.
 
 namespace tutavia {
-
-/// The verdict on one motion of a robot.
-struct MotionProof {
-  bool proved = false;
-  Blocker blocker{};  ///< if not proved
-};
 
 /// Lets a command pass only if the robot can keep it for `hold` periods and then brake to a
 /// standstill, and stays at the safety radius all the way: from the map, from obstacles that stand,
@@ -109,17 +102,6 @@ class MotionGate {
     Pose end;
     double length;  // of the path to it [m]
   };
-  /// A motion that keeps a twist and brakes.
-  struct Motion {
-    Pose from;
-    Twist twist;
-    int hold;
-    int periods;      // of braking
-    double begin;     // from now [s]
-    double reach;     // length of the path from the odometry's pose to standstill [m]
-    double distance;  // to keep from obstacles [m]
-  };
-
   MotionGate(const S& space, const ControlOptions& options)
       : space_(&space),
         options_(options),
@@ -129,27 +111,15 @@ class MotionGate {
                      bool input_is_valid);
   Committed committed(const Pose& odometry) const;
   int braking_periods(const Twist& twist) const;
-  /// The twist in the k-th period of braking, k = 1 ... periods.
-  static Twist braked(const Twist& twist, int k, int periods) {
-    const double left = 1 - double(k) / periods;
-    return k == periods ? Twist{} : Twist{left * twist.v, left * twist.omega};
+  /// A bound on the odometry's error of a point on a path of some length [m].
+  double error_within(double length) const {
+    return options_.position_error + options_.heading_error * length;
   }
-  MotionProof check(const Motion& motion, std::span<const MovingObstacle> observed) const;
-  Motion motion(const Pose& odometry, const Twist& twist, int hold, int periods,
-                std::span<const MovingObstacle> observed) const;
-  MotionProof check_map(const Motion& motion, const Piece& path) const;
-  MotionProof check_observed(const Motion& motion, const Piece& path,
-                             const MovingObstacle& obstacle) const;
-  /// Whether the robot keeps the distance from an obstacle that moves, for `time` seconds from
-  /// `begin` on: by halving the time until the obstacle's own motion no longer matters.
-  MotionProof check_moving(const Motion& motion, const Pose& from, const Twist& twist, double begin,
-                           double time, const MovingObstacle& obstacle) const;
+  MotionProof check(const detail::BrakingMotion& motion,
+                    std::span<const MovingObstacle> observed) const;
+  detail::BrakingMotion motion(const Pose& odometry, const Twist& twist, int hold, int periods,
+                               std::span<const MovingObstacle> observed) const;
   double clearance_at(const Point& p, double time, std::span<const MovingObstacle> observed) const;
-  /// When a motion has covered a part of its path [s].
-  static double time_at(const Motion& motion, double fraction, double period);
-  double whole_time(const Motion& m) const {  // at full speed, for the same path
-    return options_.period * (m.hold + 0.5 * std::max(0, m.periods - 1));
-  }
 
   DriveCommand issue(const Twist& twist, DriveStatus status, const Blocker& blocker) {
     std::rotate(issued_.begin(), issued_.begin() + 1, issued_.end());
@@ -226,13 +196,12 @@ double MotionGate<S>::clearance_at(const Point& p, double time,
 }
 
 template <ClearanceSpace S>
-typename MotionGate<S>::Motion MotionGate<S>::motion(
-    const Pose& odometry, const Twist& twist, int hold, int periods,
-    std::span<const MovingObstacle> observed) const {
+detail::BrakingMotion MotionGate<S>::motion(const Pose& odometry, const Twist& twist, int hold,
+                                            int periods,
+                                            std::span<const MovingObstacle> observed) const {
   const Committed before = committed(odometry);
-  Motion result{before.end, twist, hold, periods, options_.latency, 0, 0};
-  result.reach = before.length + std::abs(twist.v) * whole_time(result);
-  const double error = options_.position_error + options_.heading_error * result.reach;
+  detail::BrakingMotion result{before.end, twist, hold, periods, options_.period, options_.latency};
+  const double error = error_within(before.length + result.length());
   const double radius = space_->safety_radius();
   const bool is_slow = std::abs(twist.v) <= 0.26 * options_.limits.max_speed;
   const double most = radius * (1 + 1e-3) + (is_slow ? 1 : 3) * error;
@@ -251,114 +220,23 @@ MotionProof MotionGate<S>::check(const Pose& odometry, const Twist& twist, int h
   if (!proof.proved || hold == 1) return proof;
   // A robot that brakes at the next chance stops on the same arc, but where obstacles that move may
   // come to while they would have missed it farther on.
-  const Motion soon = motion(odometry, twist, 1, periods, observed);
-  const Piece path = path_of(soon.from, soon.twist, whole_time(soon));
+  const detail::BrakingMotion soon = motion(odometry, twist, 1, periods, observed);
   for (std::uint32_t i = 0; i < observed.size(); ++i) {
     if (observed[i].stands()) continue;
-    MotionProof early = check_observed(soon, path, observed[i]);
-    early.blocker.obstacle = i;
+    const MotionProof early = soon.keeps_off(observed[i], i);
     if (!early.proved) return early;
   }
   return proof;
 }
 
 template <ClearanceSpace S>
-MotionProof MotionGate<S>::check(const Motion& motion,
+MotionProof MotionGate<S>::check(const detail::BrakingMotion& motion,
                                  std::span<const MovingObstacle> observed) const {
-  const Piece path = path_of(motion.from, motion.twist, whole_time(motion));
-  MotionProof proof = check_map(motion, path);
+  MotionProof proof = motion.keeps_off_map(*space_);
   for (std::uint32_t i = 0; proof.proved && i < observed.size(); ++i) {
-    proof = check_observed(motion, path, observed[i]);
-    if (!proof.proved) proof.blocker.obstacle = i;
+    proof = motion.keeps_off(observed[i], i);
   }
   return proof;
-}
-
-template <ClearanceSpace S>
-double MotionGate<S>::time_at(const Motion& motion, double fraction, double period) {
-  const double time = fraction * period * (motion.hold + 0.5 * std::max(0, motion.periods - 1));
-  double left = time - motion.hold * period, elapsed = std::min(time, motion.hold * period);
-  for (int k = 1; k < motion.periods && left > 0; ++k) {
-    const double share = 1 - double(k) / motion.periods;
-    elapsed += std::min(period, left / share);
-    left -= share * period;
-  }
-  return motion.begin + elapsed;
-}
-
-template <ClearanceSpace S>
-MotionProof MotionGate<S>::check_map(const Motion& motion, const Piece& path) const {
-  return detail::on_drive_path(path, [&](const auto& piece) -> MotionProof {
-    const PieceProof proof = prove_distance(*space_, piece, motion.distance);
-    if (proof.status == ProofStatus::proved) return {.proved = true};
-    const Point point = piece.point(proof.parameter);
-    const NearestObstacle nearest =
-        space_->nearest(Segment{point, point}, motion.distance * (1 + 1e-9));
-    return {false,
-            {Blocker::Kind::map, nearest.obstacle,
-             time_at(motion, proof.parameter, options_.period), point}};
-  });
-}
-
-template <ClearanceSpace S>
-MotionProof MotionGate<S>::check_observed(const Motion& motion, const Piece& path,
-                                          const MovingObstacle& obstacle) const {
-  const Box box = detail::box_of(obstacle.shape);
-  const double time = motion.begin + options_.period * (motion.hold + motion.periods);
-  const double magnitude = box.largest_coordinate();
-  return detail::on_drive_path(path, [&](const auto& piece) -> MotionProof {
-    const Box swept = piece.box();
-    const double reach = motion.distance + obstacle.velocity.norm() * time +
-                         1e-6 * (magnitude + swept.largest_coordinate());
-    if (!(swept.min.x() - reach <= box.max.x() && swept.min.y() - reach <= box.max.y() &&
-          box.min.x() <= swept.max.x() + reach && box.min.y() <= swept.max.y() + reach)) {
-      return {.proved = true};
-    }
-    if (obstacle.stands()) {
-      const detail::ClosestApproach found = detail::distance_below(
-          piece, obstacle.shape, std::max(magnitude, swept.largest_coordinate()));
-      if (found.distance >= motion.distance) return {.proved = true};
-      return {false,
-              {Blocker::Kind::observed, 0, time_at(motion, found.parameter, options_.period),
-               piece.point(found.parameter)}};
-    }
-    Pose pose = motion.from;
-    double begin = motion.begin, length = motion.hold * options_.period;
-    for (int k = 0; k == 0 || k < motion.periods; ++k) {
-      const Twist twist = k == 0 ? motion.twist : braked(motion.twist, k, motion.periods);
-      const MotionProof proof = check_moving(motion, pose, twist, begin, length, obstacle);
-      if (!proof.proved) return proof;
-      pose = moved(pose, twist, length);
-      begin += length;
-      length = options_.period;
-    }
-    return {.proved = true};
-  });
-}
-
-template <ClearanceSpace S>
-MotionProof MotionGate<S>::check_moving(const Motion& motion, const Pose& from, const Twist& twist,
-                                        double begin, double time,
-                                        const MovingObstacle& obstacle) const {
-  // In the frame of the obstacle at the middle of the interval.
-  const double middle = begin + 0.5 * time, drift = 0.5 * time * obstacle.velocity.norm();
-  Pose shifted = from;
-  shifted.position = detail::offset_along(from.position, -middle, obstacle.velocity);
-  const double magnitude = detail::box_of(obstacle.shape).largest_coordinate() +
-                           detail::max_magnitude(from.position) + std::abs(twist.v) * time;
-  const detail::ClosestApproach found = detail::on_drive_path(
-      path_of(shifted, twist, time),
-      [&](const auto& piece) { return detail::distance_below(piece, obstacle.shape, magnitude); });
-  if (found.distance - drift >= motion.distance) return {.proved = true};
-  constexpr double finest = 1.0 / 256;  // of a period
-  if (found.distance + drift < motion.distance || time < finest * options_.period) {
-    const double at = found.parameter * time;
-    return {false, {Blocker::Kind::observed, 0, begin + at, moved(from, twist, at).position}};
-  }
-  const double half = 0.5 * time;
-  const MotionProof first = check_moving(motion, from, twist, begin, half, obstacle);
-  if (!first.proved) return first;
-  return check_moving(motion, moved(from, twist, half), twist, begin + half, half, obstacle);
 }
 
 template <ClearanceSpace S>
@@ -388,12 +266,13 @@ DriveCommand MotionGate<S>::command(const Pose& odometry, const Twist& wanted,
 template <ClearanceSpace S>
 DriveCommand MotionGate<S>::brake(const Pose& odometry, std::span<const MovingObstacle> observed,
                                   bool input_is_valid) {
-  const Twist twist = braking_periods_ > 1 ? braked(last(), 1, braking_periods_) : Twist{};
+  const Twist twist = detail::braked(last(), 1, std::max(1, braking_periods_));
   MotionProof proof{.proved = true};
   if (input_is_valid && twist.v != 0) {
-    Motion braking = motion(odometry, twist, 1, std::max(1, braking_periods_ - 1), observed);
+    detail::BrakingMotion braking =
+        motion(odometry, twist, 1, std::max(1, braking_periods_ - 1), observed);
     // Odometry that jumps within its bounds is no emergency.
-    const double error = options_.position_error + options_.heading_error * braking.reach;
+    const double error = error_within(committed(odometry).length + braking.length());
     braking.distance = std::max(0.0, space_->safety_radius() - error);
     proof = check(braking, observed);
     const bool out_of_bounds =
