@@ -222,7 +222,9 @@ TEST_CASE("a malformed scenario is reported with line and column") {
         "line 3: " + number + "5, found \"1.5\"");
   CHECK(scenario_complaint(version + "0 a 5 4 1 -2 3 0 4\n") ==
         "line 3: " + number + "6, found \"-2\"");
-  for (const std::string length : {"-1", "nan", "inf", "1e999", "4,5", "four"}) {
+  CHECK(scenario_complaint(version + "-00 a 5 4 1 2 3 0 4\n") ==
+        "line 3: " + number + "1, found \"-00\"");
+  for (const std::string length : {"-1", "-0", "nan", "inf", "1e999", "4,5", "four"}) {
     CAPTURE(length);
     CHECK(scenario_complaint(version + "0 a 5 4 1 2 3 0 " + length) ==
           "line 3: expected a length in column 9, found \"" + length + "\"");

@@ -102,13 +102,14 @@ class MovingAiLines {
   bool at_end_ = false;
 };
 
-/// The whole `word` as a number >= 0 that fits its type, or -1.
+/// The whole `word` as a number >= 0 without a sign that fits its type, or -1.
 template <class Number>
 Number moving_ai_number(std::string_view word) {
+  if (word.substr(0, 1) == "-") return -1;
   Number value = -1;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   const bool whole = error == std::errc() && end == word.data() + word.size();
-  return whole && value >= 0 && std::isfinite(static_cast<double>(value)) ? value : -1;
+  return whole && std::isfinite(static_cast<double>(value)) ? value : -1;
 }
 
 /// Reads the lines up to "map". Returns a grid of that size with all cells blocked.
