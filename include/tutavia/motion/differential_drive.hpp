@@ -70,17 +70,6 @@ inline Piece path_of(const Pose& from, const Twist& twist, double time) {
   return arc;
 }
 
-namespace detail {
-
-/// Calls `f` with the segment or arc that `path_of` returned.
-template <class F>
-auto on_drive_path(const Piece& path, F&& f) {
-  const Arc* arc = path.get_if<Arc>();
-  return arc != nullptr ? f(*arc) : f(*path.get_if<Segment>());
-}
-
-}  // namespace detail
-
 /// Where a robot that keeps a twist is after some time [s].
 inline Pose moved(const Pose& from, const Twist& twist, double time) {
   const double turn = twist.omega * time;

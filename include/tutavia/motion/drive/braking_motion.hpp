@@ -23,6 +23,13 @@ inline Twist braked(const Twist& twist, int k, int periods) {
   return k == periods ? Twist{} : Twist{left * twist.v, left * twist.omega};
 }
 
+/// Calls `f` with the segment or arc that `path_of` returned.
+template <class F>
+auto on_drive_path(const Piece& path, F&& f) {
+  const Arc* arc = path.get_if<Arc>();
+  return arc != nullptr ? f(*arc) : f(*path.get_if<Segment>());
+}
+
 /// A robot keeps a twist for `hold` periods, and brakes in proportion for `periods` more: along one
 /// arc.
 struct BrakingMotion {
