@@ -9,6 +9,7 @@
 #include "tutavia/motion/differential_drive.hpp"
 #include "tutavia/motion/drive_command.hpp"
 #include "tutavia/motion/local_planner.hpp"
+#include "tutavia/motion/local_planner_options.hpp"
 #include "tutavia/motion/motion_gate.hpp"
 #include "tutavia/motion/path_follower.hpp"
 #include "tutavia/motion/speed_profile.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "tutavia/motion/differential_drive.hpp"
@@ -25,6 +26,18 @@ struct ControlOptions {
   /// number; with more, the robot slows down earlier.
   int hold = 3;
 };
+
+/// The distance from obstacles that a MotionGate demands at full speed [m], for a safety radius:
+/// what a path has to keep for the robot to follow it.
+inline double demanded_clearance(double safety_radius, const ControlOptions& control) {
+  const DriveLimits& limits = control.limits;
+  const double braking = std::max(limits.max_speed / limits.max_acceleration,
+                                  limits.max_angular_speed / limits.max_angular_acceleration);
+  const double reach =
+      limits.max_speed * (control.latency + control.period * control.hold + 0.5 * braking);
+  const double error = control.position_error + control.heading_error * reach;
+  return safety_radius * (1 + 1e-3) + 3 * error;
+}
 
 /// Errors: `invalid_option`, which names the option.
 inline Expected<void, Failure> validate(const ControlOptions& options) {

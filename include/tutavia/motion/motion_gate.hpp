@@ -90,6 +90,16 @@ class MotionGate {
     return brake(odometry, observed, accepts(odometry, observed));
   }
 
+  /// Brakes at the end of a path: `driving`, and `arrived` once the robot stands.
+  DriveCommand arrive(const Pose& odometry, std::span<const MovingObstacle> observed) {
+    DriveCommand command = brake(odometry, observed);
+    if (command.status == DriveStatus::stopping || command.status == DriveStatus::blocked) {
+      command.status = stands() ? DriveStatus::arrived : DriveStatus::driving;
+      command.blocker = {};
+    }
+    return command;
+  }
+
   /// Forgets the commands: the robot stands.
   void reset() {
     std::fill(issued_.begin(), issued_.end(), Twist{});

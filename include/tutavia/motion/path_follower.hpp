@@ -104,7 +104,6 @@ class PathFollower {
 
   const ControlOptions& control() const { return options_.control; }
   void advance(const Point& robot);
-  DriveCommand arrive(const Pose& odometry, std::span<const MovingObstacle> observed);
   /// Along the arc to the point at this distance ahead on the path.
   Twist pursue(const Pose& from, double lookahead, double speed) const;
   /// The direction of the point ahead, seen from the robot, in [-pi, pi].
@@ -155,7 +154,7 @@ DriveCommand PathFollower<S>::step(const Pose& odometry, std::span<const MovingO
   if (distance(from.position, path_.end()) <= options_.tolerance + control().position_error) {
     has_arrived_ = true;
   }
-  if (has_arrived_) return arrive(odometry, observed);
+  if (has_arrived_) return gate_.arrive(odometry, observed);
 
   const double lookahead = std::clamp(std::abs(gate_.last().v) * options_.lookahead_time,
                                       options_.min_lookahead, options_.max_lookahead);
@@ -198,17 +197,6 @@ void PathFollower<S>::advance(const Point& robot) {
     });
   }
   progress_ = s;
-}
-
-template <ClearanceSpace S>
-DriveCommand PathFollower<S>::arrive(const Pose& odometry,
-                                     std::span<const MovingObstacle> observed) {
-  DriveCommand command = gate_.brake(odometry, observed);
-  if (command.status == DriveStatus::stopping || command.status == DriveStatus::blocked) {
-    command.status = gate_.stands() ? DriveStatus::arrived : DriveStatus::driving;
-    command.blocker = {};
-  }
-  return command;
 }
 
 template <ClearanceSpace S>
