@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "band_drive.hpp"
 #include "published.hpp"
 #include "report.hpp"
 #include "runs.hpp"
@@ -94,9 +95,7 @@ std::vector<Claim> claims_of(const Run& astar, const Run& jps, const Run& theta,
        "before"},
       {"JPS: 8.65 m where A\\* has 9.75 m (table 2)", Verdict::wrong,
        "JPS is A\\* without symmetric paths, and as long; another weighting or another map was "
-       "used"},
-      {"The timed elastic band and the robot of figure 16", Verdict::not_reproducible,
-       "no map and no parameters; local planning is not part of the library so far"}};
+       "used"}};
 }
 
 }  // namespace
@@ -136,6 +135,13 @@ Section jps_theta_star_section(const Options& options, Progress& progress) {
   }
   section.times.push_back(std::move(times));
   section.claims = claims_of(astar, jps, theta, any_angle);
+
+  progress.say("jps_theta_star: drive");
+  const BandScene scene = band_scene(options);
+  const BandDrive without = drive_by_bands(scene, false), with = drive_by_bands(scene, true);
+  section.tables.push_back(band_table(scene, without, with));
+  section.claims.push_back(band_claim(with));
+  section.pictures.push_back(band_picture(scene, with));
   return section;
 }
 
