@@ -212,16 +212,18 @@ BandDrive drive_by_bands(const BandScene& scene, bool has_obstacle) {
 }
 
 Table band_table(const BandScene& scene, const BandDrive& without, const BandDrive& with) {
-  Table table{.name = "drive",
-              .title =
-                  "**A drive** along the path of JPS_Theta\\* and cubic Bezier on the raster with "
-                  "cells of 1 m: `LocalPlanner` with default options (0.4 m/s, bands of 3 m, a "
-                  "command every 0.1 s), a robot of radius 0.3 m, and a path that keeps 0.4 m. The "
-                  "obstacle, a disc of radius 0.7 m on the path, appears when the robot is 3 m "
-                  "away. *Clearance*: the least gap between the robot and anything, over "
-                  "continuous time. *Steps*: by status.",
-              .header = {"drive", "path [m]", "driven [m]", "time [s]", "clearance [m]", "contacts",
-                         "at goal", "driving", "slowed", "stopping", "emergency", "blocked"}};
+  Table table{
+      .name = "drive",
+      .title =
+          "**A drive** along the path of JPS_Theta\\* and cubic Bezier on the raster with "
+          "cells of 1 m: `LocalPlanner` with default options (0.4 m/s, bands of 3 m, a "
+          "command every 0.1 s), a robot of radius 0.3 m, and a path that keeps 0.4 m. The "
+          "obstacle, a disc of radius 0.7 m on the path, appears when the robot is 3 m "
+          "away. *Clearance*: the least gap between the robot and anything, over "
+          "continuous time. The last columns count commands by status; those that stop do so at "
+          "the goal.",
+      .header = {"drive", "path [m]", "driven [m]", "time [s]", "clearance [m]", "contacts",
+                 "at goal", "driving", "slowed", "stopping", "emergency", "blocked"}};
   const auto row = [&](const char* name, const DriveResult& result) {
     std::vector<std::string> cells{name,
                                    fixed(scene.path.length(), 2),
