@@ -90,9 +90,11 @@ class BandResiduals {
   template <class Visit>
   static void visit_hinge(BandTerm term, std::size_t i, Value value, double least, double most,
                           double weight, Visit& visit) {
-    const double beyond = value.value > most    ? value.value - most
-                          : value.value < least ? value.value - least
-                                                : 0;
+    // A band is laid at its limits: rounding must not decide which of them are exceeded.
+    constexpr double rounding = 1e-9;
+    const double beyond = value.value > most + rounding    ? value.value - most
+                          : value.value < least - rounding ? value.value - least
+                                                           : 0;
     const double root = std::sqrt(beyond == 0 ? stiffness * weight : weight);
     value.gradient *= root;
     visit(term, i, root * beyond, value.gradient);
