@@ -34,7 +34,7 @@ LAYERS = [
     [("certify", "proofs that a curve is safe")],
     [("search", "searchers: from a query to a route")],
     [("tuning", "parameters found by a swarm"), ("smooth", "smoothers: from a curve to a curve"),
-     ("metrics", "measures of a curve"), ("motion", "speed along a curve")],
+     ("metrics", "measures of a curve"), ("motion", "speed along a curve, local planning")],
     [("planner.hpp", "search, smoothing and proof in one call"),
      ("optimum.hpp", "the length of the shortest path there is"),
      ("registry", "the options of every algorithm as tables")],
