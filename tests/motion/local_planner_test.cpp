@@ -422,7 +422,9 @@ drive_program::DriveResult judged_drive(const S& space, const Curve& path, std::
                                       .time_limit = 240,
                                       .seed = seed,
                                       .keeps_trace = true});
-  return simulator.run({path.start(), path.heading(0)}, path);
+  drive_program::DriveResult result = simulator.run({path.start(), path.heading(0)}, path);
+  if (planner.report().failure) result.reason = to_string(planner.report().failure->code);
+  return result;
 }
 
 /// A path through the maze that leaves a margin.
@@ -446,13 +448,16 @@ TEST_CASE("a local planner in the maze has no contact of its own, whatever appea
     const auto result = judged_drive(space, maze_path(seed), seed);
     CHECK(result.own_contacts == 0);
     CHECK(result.limit_violations == 0);
-    if (result.ending == drive_program::Ending::reached) ++reached;
+    if (result.ending == drive_program::Ending::reached) {
+      ++reached;
+    } else {
+      CHECK(result.reason == "unreachable");  // what stays may close the way
+    }
     driven += result.length;
     for (const drive_program::TraceRow& row : result.trace) {
       if (row.status == DriveStatus::arrived) CHECK(row.twist.is_zero());
     }
   }
-  // What stays closes the maze in some.
   CHECK(10 * reached >= 6 * drives);
   CHECK(driven > 10 * static_cast<double>(drives));
 }
@@ -481,9 +486,13 @@ TEST_CASE("a local planner among cells has no contact of its own, whatever appea
     const auto result = judged_drive(space, plan.curve, seed);
     CHECK(result.own_contacts == 0);
     CHECK(result.limit_violations == 0);
-    if (result.ending == drive_program::Ending::reached) ++reached;
+    if (result.ending == drive_program::Ending::reached) {
+      ++reached;
+    } else {
+      CHECK(result.reason == "unreachable");  // what stays may close the way
+    }
   }
-  CHECK(4 * reached >= 3 * drives);
+  CHECK(10 * reached >= 6 * drives);
 }
 
 TEST_CASE("a local planner's drive is the same to the last bit when it is repeated") {
