@@ -326,9 +326,9 @@ class CurveRepair {
   std::vector<Piece> new_pieces(const Curve& middle, bool has_leads) const {
     std::vector<Piece> pieces;
     const double cut = has_leads ? 0.5 : 1;
-    if (from_.stub) pieces.push_back(from_.stub->part(0, cut));
+    if (from_.stub) pieces.emplace_back(from_.stub->part(0, cut));
     for (const Piece& piece : middle.pieces()) pieces.push_back(piece);
-    if (to_.stub) pieces.push_back(to_.stub->part(0, cut).reversed());
+    if (to_.stub) pieces.emplace_back(to_.stub->part(0, cut).reversed());
     return pieces;
   }
 

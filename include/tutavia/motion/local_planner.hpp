@@ -77,7 +77,7 @@ class LocalPlanner {
   using Clock = std::chrono::steady_clock;
 
   LocalPlanner(MotionGate<S> gate, LocalPlannerOptions options)
-      : gate_(std::move(gate)), options_(std::move(options)) {}
+      : gate_(std::move(gate)), options_(options) {}
 
   static double lap(Clock::time_point& last) {
     const auto now = Clock::now();
@@ -126,7 +126,7 @@ Expected<LocalPlanner<S>, Failure> LocalPlanner<S>::build(const S& space,
   if (!gate) return std::move(gate).unexpected();
   if (auto valid = validate(options); !valid) return std::move(valid).unexpected();
   options.band.limits = options.control.limits;
-  LocalPlanner planner(std::move(*gate), std::move(options));
+  LocalPlanner planner(std::move(*gate), options);
   TimedElasticBand& band = planner.options_.band;
   band.clearance = std::max(band.clearance, planner.demanded_clearance() + planner.options_.margin);
   if (auto valid = band.validate(); !valid) return std::move(valid).unexpected();
@@ -277,7 +277,8 @@ Twist LocalPlanner<S>::carefully(const detail::Way& way, const Pose& pose, const
   // Out of a niche, in whatever direction is proved and nearest to the way.
   constexpr int directions = 16;
   for (int k = 0; k < directions; ++k) {
-    const double off = full / directions * ((k + 1) / 2) * (k % 2 == 0 ? 1 : -1);
+    const int step = k % 2 == 0 ? k / 2 : -(k + 1) / 2;
+    const double off = full / directions * step;
     const double turn = std::remainder(along + off - pose.heading, full);
     if (!passes({odometry.position, odometry.heading + turn}, {slow, 0}, observed)) continue;
     if (std::abs(turn) < 0.1 && passes(odometry, {slow, 0}, observed)) return {slow, 0};

@@ -226,14 +226,14 @@ MotionProof MotionGate<S>::check(const Pose& odometry, const Twist& twist, int h
   if (!accepts(odometry, observed)) return {};
   if (twist.v == 0) return {.proved = true};
   const int periods = braking_periods(twist);
-  const MotionProof proof = check(motion(odometry, twist, hold, periods, observed), observed);
+  MotionProof proof = check(motion(odometry, twist, hold, periods, observed), observed);
   if (!proof.proved || hold == 1) return proof;
   // A robot that brakes at the next chance stops on the same arc, but where obstacles that move may
   // come to while they would have missed it farther on.
   const detail::BrakingMotion soon = motion(odometry, twist, 1, periods, observed);
   for (std::uint32_t i = 0; i < observed.size(); ++i) {
     if (observed[i].stands()) continue;
-    const MotionProof early = soon.keeps_off(observed[i], i);
+    MotionProof early = soon.keeps_off(observed[i], i);
     if (!early.proved) return early;
   }
   return proof;

@@ -113,7 +113,7 @@ inline MotionProof BrakingMotion::keeps_off(const MovingObstacle& obstacle,
     }
     Interval interval{from, twist, begin, hold * period};
     for (int k = 1;; ++k) {
-      const MotionProof proof = keeps_off(obstacle, index, interval);
+      MotionProof proof = keeps_off(obstacle, index, interval);
       if (!proof.proved || k >= periods) return proof;
       interval = {moved(interval.from, interval.twist, interval.time), braked(twist, k, periods),
                   interval.begin + interval.time, period};
@@ -143,7 +143,7 @@ inline MotionProof BrakingMotion::keeps_off(const MovingObstacle& obstacle, std:
              moved(interval.from, interval.twist, at).position}};
   }
   const Interval first{interval.from, interval.twist, interval.begin, half};
-  const MotionProof proof = keeps_off(obstacle, index, first);
+  MotionProof proof = keeps_off(obstacle, index, first);
   if (!proof.proved) return proof;
   return keeps_off(obstacle, index,
                    {moved(first.from, first.twist, half), first.twist, first.begin + half, half});

@@ -81,7 +81,7 @@ class Detours {
     std::vector<Obstacle> obstacles = this->obstacles(Motion::swept);
     // A wall from the obstacle through the gap where the first path passes.
     const double reach = 3 * query.window;
-    obstacles.push_back(
+    obstacles.emplace_back(
         polyline_obstacle({center, offset_along(center, reach / passed.distance, across)}));
     auto found = within(query, Box::around({query.from}).inflated(query.window),
                         query.least_clearance, std::move(obstacles));
