@@ -248,7 +248,7 @@ TEST_CASE("a local planner takes the other side when the way on one side closes"
   drive.observed = {{local_box(4.8, 7, 5, 10)}};
   for (int i = 0; i < 30; ++i) drive.step(planner);
   CHECK(planner.report().searched + planner.report().candidates > 0);
-  CHECK(planner.way().nearest({5, 2.5}).distance < 0.5);
+  CHECK(planner.path().nearest({5, 2.5}).distance < 0.5);
   REQUIRE(drive.arrives(planner, 90));
   CHECK(std::any_of(drive.poses.begin(), drive.poses.end(),
                     [](const Pose& p) { return p.position.y() < 2.8; }));
@@ -507,6 +507,44 @@ TEST_CASE("a local planner's drive is the same to the last bit when it is repeat
     REQUIRE((a.twist.v == b.twist.v && a.twist.omega == b.twist.omega));
     REQUIRE((a.pose.position == b.pose.position && a.pose.heading == b.pose.heading));
   }
+}
+
+TEST_CASE("a local planner refuses paths that nothing can follow") {
+  const auto space =
+      InflatedSpace::build({.bounds = {{0, 0}, {9, 9}}, .safety_radius = 0.3}).value();
+  auto planner = LocalPlanner<InflatedSpace>::build(space).value();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [&](const Point& end) {
+    const Point points[] = {{1, 1}, end};
+    const auto followed = planner.follow(Curve::polyline(points));
+    return !followed && followed.error().code == PlanError::invalid_input;
+  };
+  CHECK(refused({nan, 1}));
+  CHECK(refused({1e15, 1}));
+  CHECK_FALSE(refused({5, 1}));
+}
+
+TEST_CASE("a robot before a slot that is too narrow says so, and searches on") {
+  Workspace workspace{.bounds = {{0, 0}, {12, 4}}, .safety_radius = 0.3};
+  workspace.obstacles.push_back(Polygon{{{6, 0}, {6.2, 0}, {6.2, 1.71}, {6, 1.71}}});
+  workspace.obstacles.push_back(Polygon{{{6, 2.29}, {6.2, 2.29}, {6.2, 4}, {6, 4}}});
+  const auto space = InflatedSpace::build(workspace).value();
+  auto planner = LocalPlanner<InflatedSpace>::build(space).value();
+  const Point points[] = {{1, 2}, {11, 2}};
+  REQUIRE(planner.follow(Curve::polyline(points)));
+  Pose pose{{1, 2}, 0};
+  DriveCommand command;
+  int late_searches = 0;
+  for (int k = 0; k < 1200; ++k) {
+    command = planner.step(pose, {});
+    pose = moved(pose, command.twist, 0.1);
+    if (k > 900 && planner.report().searched) ++late_searches;
+  }
+  CHECK(command.status == DriveStatus::blocked);
+  CHECK(command.blocker.kind == Blocker::Kind::map);
+  CHECK(planner.report().failure.has_value());
+  CHECK(late_searches > 3);
+  CHECK(space.clearance(pose.position) >= 0.3);
 }
 
 }  // namespace

@@ -184,6 +184,61 @@ TEST_CASE("an obstacle that appears within the stopping distance is an emergency
   CHECK(gate.command(pose, {0.4, 0}, sudden).status == DriveStatus::blocked);
 }
 
+TEST_CASE("an obstacle that appears where commands under way lead is an emergency") {
+  const InflatedSpace hall = empty_hall(0.1);
+  const ControlOptions options{.limits = {.max_speed = 2, .max_acceleration = 2}, .latency = 0.5};
+  auto gate = Gate::build(hall, options).value();
+  const Pose pose{{0, 0}, 0};
+  for (int k = 0; k < 20; ++k) gate.command(pose, {2, 0}, {});
+  // The robot drives a metre before a command takes effect, and would have passed by then.
+  const std::vector<MovingObstacle> sudden{{Disc{{0.5, 0}, 0.05}, {}}};
+  const DriveCommand command = gate.command(pose, {2, 0}, sudden);
+  CHECK(command.status == DriveStatus::emergency);
+  CHECK(command.twist.v < 2);
+  CHECK(command.blocker.kind == Blocker::Kind::observed);
+  CHECK(command.blocker.time > 0.1);
+  CHECK(command.blocker.time < 0.3);
+  CHECK_FALSE(gate.check(pose, {0, 0.1}, 1, sudden).proved);
+  CHECK(gate.check(pose, {0, 0.1}, 1, {}).proved);
+}
+
+TEST_CASE("bounds do not hide an obstacle from an emergency") {
+  const InflatedSpace small =
+      InflatedSpace::build({.bounds = {{-5, -5}, {5, 5}}, .safety_radius = 0.3}).value();
+  auto gate = Gate::build(small, {}).value();
+  Pose pose{{3, 0}, 0};
+  for (int k = 0; k < 20; ++k) pose = moved(pose, gate.command(pose, {0.4, 0}, {}).twist, 0.1);
+  const std::vector<MovingObstacle> sudden{{Disc{{5.44, 0}, 0.1}, {}}};
+  CHECK(gate.command({{4.99, 0}, 0}, {0.4, 0}, {}).blocker.kind == Blocker::Kind::bounds);
+  const DriveCommand command = gate.command({{4.99, 0}, 0}, {0.4, 0}, sudden);
+  CHECK(command.status == DriveStatus::emergency);
+  CHECK(command.blocker.kind == Blocker::Kind::observed);
+}
+
+TEST_CASE("a robot creeps where only a slow command is proved") {
+  const InflatedSpace hall = empty_hall();
+  auto gate = Gate::build(hall, {}).value();
+  const std::vector<MovingObstacle> near{{Disc{{0.4135, 0}, 0.1}, {}}};
+  const DriveCommand command = gate.command({{0, 0}, 0}, {0.4, 0}, near);
+  CHECK(command.status == DriveStatus::slowed);
+  CHECK(command.twist.v > 0.03);
+  CHECK(command.twist.v < 0.05);
+}
+
+TEST_CASE("no motion beyond the limits is proved") {
+  const InflatedSpace hall = empty_hall();
+  const auto gate = Gate::build(hall, {}).value();
+  const Pose pose{{0, 0}, 0};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(gate.check(pose, {0.4, 0}, 3, {}).proved);
+  CHECK_FALSE(gate.check(pose, {0.4, 0}, 0, {}).proved);
+  CHECK_FALSE(gate.check(pose, {0.4, 0}, -5, {}).proved);
+  CHECK_FALSE(gate.check(pose, {0.5, 0}, 3, {}).proved);
+  CHECK_FALSE(gate.check(pose, {0.4, 1}, 3, {}).proved);
+  CHECK_FALSE(gate.check(pose, {nan, 0}, 3, {}).proved);
+  CHECK_FALSE(gate.check(pose, {0, nan}, 3, {}).proved);
+}
+
 TEST_CASE("a robot on which an obstacle stands may turn, and drives on when that has gone") {
   const InflatedSpace hall = empty_hall();
   auto gate = Gate::build(hall, {}).value();
@@ -240,6 +295,7 @@ TEST_CASE("options of control out of range are refused by name") {
   CHECK(names(message({.position_error = -1}), "position_error"));
   CHECK(names(message({.heading_error = std::nan("")}), "heading_error"));
   CHECK(names(message({.hold = 0}), "hold"));
+  CHECK(names(message({.hold = 1001}), "hold"));
 }
 
 TEST_CASE("a robot keeps its arc where the limits bind") {

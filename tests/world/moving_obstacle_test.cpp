@@ -22,6 +22,8 @@ TEST_CASE("a moving obstacle keeps its shape and moves with its velocity") {
   REQUIRE(moved_frame.holes.size() == 1);
   CHECK(moved_frame.holes[0] == Ring{{-1, 1}, {0, 1}, {0, 2}});
   CHECK(MovingObstacle{Disc{{1, 2}, 0.5}}.stands());
+  CHECK(MovingObstacle{Disc{{1, 2}, 0.5}, {}}.stands());
+  CHECK(MovingObstacle{Disc{{1, 2}, 0.5}, Point(1, 2)}.velocity == Point(1, 2));
 }
 
 }  // namespace

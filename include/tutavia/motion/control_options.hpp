@@ -31,10 +31,11 @@ struct ControlOptions {
 /// what a path has to keep for the robot to follow it.
 inline double demanded_clearance(double safety_radius, const ControlOptions& control) {
   const DriveLimits& limits = control.limits;
-  const double braking = std::max(limits.max_speed / limits.max_acceleration,
-                                  limits.max_angular_speed / limits.max_angular_acceleration);
-  const double reach =
-      limits.max_speed * (control.latency + control.period * control.hold + 0.5 * braking);
+  const double braking =
+      std::max(std::max(limits.max_speed, limits.max_backward_speed) / limits.max_acceleration,
+               limits.max_angular_speed / limits.max_angular_acceleration);
+  const double reach = std::max(limits.max_speed, limits.max_backward_speed) *
+                       (control.latency + control.period * control.hold + 0.5 * braking);
   const double error = control.position_error + control.heading_error * reach;
   return safety_radius * (1 + 1e-3) + 3 * error;
 }
@@ -60,7 +61,7 @@ inline Expected<void, Failure> validate(const ControlOptions& options) {
     return invalid("position_error must be finite and not negative");
   if (!is_length(options.heading_error))
     return invalid("heading_error must be finite and not negative");
-  if (options.hold < 1) return invalid("hold must be at least 1");
+  if (options.hold < 1 || options.hold > 1000) return invalid("hold must lie between 1 and 1000");
   return {};
 }
 

@@ -48,13 +48,13 @@ constexpr std::string_view to_string(DriveStatus status) {
 struct Blocker {
   enum class Kind : std::uint8_t {
     none,
-    map,       ///< an obstacle of the map, or its bounds
+    map,       ///< an obstacle of the map
+    bounds,    ///< the map's bounds
     observed,  ///< an obstacle given to the control step
   };
 
   Kind kind = Kind::none;
-  std::uint32_t obstacle =
-      std::numeric_limits<std::uint32_t>::max();  ///< its index; none for bounds
+  std::uint32_t obstacle = std::numeric_limits<std::uint32_t>::max();  ///< its index, if it has one
   double time = 0;              ///< from now until the robot would come too close [s]
   Point point = Point::Zero();  ///< where the robot would be then
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -31,7 +32,8 @@ namespace tutavia {
 /// that follows its commands exactly does not touch an obstacle while it moves, if
 ///   - its true pose is within the error bounds of the odometry,
 ///   - obstacles keep their velocity while the robot brakes, and
-///   - no obstacle appears nearer than the robot needs to stop (`emergency` reports it).
+///   - no obstacle appears nearer than the robot needs to stop. `emergency` reports one that comes
+///     nearer than the safety radius without the odometry's error before the robot stands.
 /// An obstacle may still drive into a robot that stands. Turning on the spot moves no point of a
 /// disc and always passes. The map's bounds limit the robot's centre, without the errors.
 ///
@@ -120,6 +122,16 @@ class MotionGate {
   DriveCommand brake(const Pose& odometry, std::span<const MovingObstacle> observed,
                      bool input_is_valid);
   Committed committed(const Pose& odometry) const;
+  /// Calls `visit(from, twist, begin, time)` for the commands under way, until one issued now takes
+  /// effect.
+  template <class Visit>
+  void for_each_under_way(const Pose& odometry, Visit visit) const;
+  /// Whether the robot touches nothing, as far as the odometry can tell, until a command issued now
+  /// takes effect. It cannot be kept from it any more.
+  MotionProof check_under_way(const Pose& odometry, std::span<const MovingObstacle> observed) const;
+  /// Whether a motion keeps its distance from all obstacles.
+  MotionProof check_except_bounds(const detail::BrakingMotion& motion,
+                                  std::span<const MovingObstacle> observed) const;
   int braking_periods(const Twist& twist) const;
   /// A bound on the odometry's error of a point on a path of some length [m].
   double error_within(double length) const {
@@ -146,15 +158,49 @@ class MotionGate {
 template <ClearanceSpace S>
 typename MotionGate<S>::Committed MotionGate<S>::committed(const Pose& odometry) const {
   Committed result{odometry, 0};
+  for_each_under_way(odometry, [&](const Pose& from, const Twist& twist, double, double time) {
+    result.end = moved(from, twist, time);
+    result.length += std::abs(twist.v) * time;
+  });
+  return result;
+}
+
+template <ClearanceSpace S>
+template <class Visit>
+void MotionGate<S>::for_each_under_way(const Pose& odometry, Visit visit) const {
+  Pose pose{odometry.position, std::remainder(odometry.heading, 2 * std::numbers::pi)};
   for (std::size_t i = 0; i < issued_.size(); ++i) {
     const auto age = static_cast<double>(issued_.size() - i);  // in periods
     const double begin = std::max(0.0, options_.latency - age * options_.period);
     const double end = std::max(0.0, options_.latency - (age - 1) * options_.period);
     if (!(end > begin)) continue;
-    result.end = moved(result.end, issued_[i], end - begin);
-    result.length += std::abs(issued_[i].v) * (end - begin);
+    visit(pose, issued_[i], begin, end - begin);
+    pose = moved(pose, issued_[i], end - begin);
   }
-  return result;
+}
+
+template <ClearanceSpace S>
+MotionProof MotionGate<S>::check_under_way(const Pose& odometry,
+                                           std::span<const MovingObstacle> observed) const {
+  MotionProof proof{.proved = true};
+  const double radius = space_->safety_radius() - error_within(committed(odometry).length);
+  for_each_under_way(odometry, [&](const Pose& from, const Twist& twist, double begin,
+                                   double time) {
+    if (!proof.proved || twist.v == 0) return;
+    proof = check_except_bounds({from, twist, 1, 0, time, begin, std::max(0.0, radius)}, observed);
+  });
+  return proof;
+}
+
+template <ClearanceSpace S>
+MotionProof MotionGate<S>::check_except_bounds(const detail::BrakingMotion& motion,
+                                               std::span<const MovingObstacle> observed) const {
+  MotionProof proof = motion.keeps_off_map(*space_);
+  proof.proved = proof.proved || proof.blocker.kind == Blocker::Kind::bounds;
+  for (std::uint32_t i = 0; proof.proved && i < observed.size(); ++i) {
+    proof = motion.keeps_off(observed[i], i);
+  }
+  return proof;
 }
 
 template <ClearanceSpace S>
@@ -213,7 +259,8 @@ detail::BrakingMotion MotionGate<S>::motion(const Pose& odometry, const Twist& t
   detail::BrakingMotion result{before.end, twist, hold, periods, options_.period, options_.latency};
   const double error = error_within(before.length + result.length());
   const double radius = space_->safety_radius();
-  const bool is_slow = std::abs(twist.v) <= 0.26 * options_.limits.max_speed;
+  const double fastest = std::max(options_.limits.max_speed, options_.limits.max_backward_speed);
+  const bool is_slow = std::abs(twist.v) <= 0.26 * fastest;
   const double most = radius * (1 + 1e-3) + (is_slow ? 1 : 3) * error;
   result.distance = std::clamp(clearance_at(before.end.position, options_.latency, observed),
                                radius + error, most);
@@ -224,7 +271,12 @@ template <ClearanceSpace S>
 MotionProof MotionGate<S>::check(const Pose& odometry, const Twist& twist, int hold,
                                  std::span<const MovingObstacle> observed) const {
   if (!accepts(odometry, observed)) return {};
-  if (twist.v == 0) return {.proved = true};
+  const double fastest = std::max(options_.limits.max_speed, options_.limits.max_backward_speed);
+  const bool is_possible = hold >= 1 && std::abs(twist.v) <= fastest &&
+                           std::abs(twist.omega) <= options_.limits.max_angular_speed;
+  if (!is_possible) return {};  // for NaN, too
+  MotionProof under_way = check_under_way(odometry, observed);
+  if (!under_way.proved || twist.v == 0) return under_way;
   const int periods = braking_periods(twist);
   MotionProof proof = check(motion(odometry, twist, hold, periods, observed), observed);
   if (!proof.proved || hold == 1) return proof;
@@ -259,7 +311,7 @@ DriveCommand MotionGate<S>::command(const Pose& odometry, const Twist& wanted,
   Twist before{std::numeric_limits<double>::quiet_NaN(), 0};
   for (const double share : {1.0, 0.75, 0.5, 0.25, 0.1}) {
     const Twist twist = reachable({share * wanted.v, share * wanted.omega});
-    if (twist.v == before.v && twist.omega == before.omega) break;
+    if (twist.v == before.v && twist.omega == before.omega) continue;
     before = twist;
     const MotionProof proof = check(odometry, twist, options_.hold, observed);
     if (proof.proved) {
@@ -278,21 +330,19 @@ DriveCommand MotionGate<S>::brake(const Pose& odometry, std::span<const MovingOb
                                   bool input_is_valid) {
   const Twist twist = detail::braked(last(), 1, std::max(1, braking_periods_));
   MotionProof proof{.proved = true};
-  if (input_is_valid && twist.v != 0) {
+  if (input_is_valid) proof = check_under_way(odometry, observed);
+  if (input_is_valid && proof.proved && twist.v != 0) {
     detail::BrakingMotion braking =
         motion(odometry, twist, 1, std::max(1, braking_periods_ - 1), observed);
     // Odometry that jumps within its bounds is no emergency.
     const double error = error_within(committed(odometry).length + braking.length());
     braking.distance = std::max(0.0, space_->safety_radius() - error);
-    proof = check(braking, observed);
-    const bool out_of_bounds =
-        proof.blocker.kind == Blocker::Kind::map && proof.blocker.obstacle == NearestObstacle::none;
-    proof.proved = proof.proved || out_of_bounds;
+    proof = check_except_bounds(braking, observed);
   }
   const DriveStatus status = !input_is_valid    ? DriveStatus::invalid_input
+                             : !proof.proved    ? DriveStatus::emergency
                              : last().is_zero() ? DriveStatus::blocked
-                             : proof.proved     ? DriveStatus::stopping
-                                                : DriveStatus::emergency;
+                                                : DriveStatus::stopping;
   braking_periods_ = std::max(0, braking_periods_ - 1);
   return issue(twist, status, proof.blocker);
 }

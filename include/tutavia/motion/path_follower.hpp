@@ -13,6 +13,7 @@
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/motion/control_options.hpp"
 #include "tutavia/motion/drive/obstacle_distance.hpp"
+#include "tutavia/motion/drive/tracked_path.hpp"
 #include "tutavia/motion/drive_command.hpp"
 #include "tutavia/motion/motion_gate.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -134,12 +135,7 @@ class PathFollower {
 
 template <ClearanceSpace S>
 Expected<void, Failure> PathFollower<S>::follow(Curve path) {
-  if (path.empty()) return fail(PlanError::invalid_input, "the path is empty");
-  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
-    if (!path.pieces()[i].visit([](const auto& piece) { return piece.is_finite(); })) {
-      return fail(PlanError::invalid_input, "pieces[" + std::to_string(i) + "] is not finite");
-    }
-  }
+  if (auto valid = detail::check_path(path); !valid) return valid;
   path_ = std::move(path);
   progress_ = 0;
   is_turning_ = has_arrived_ = false;

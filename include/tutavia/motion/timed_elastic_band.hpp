@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -143,7 +144,8 @@ inline Expected<void, Failure> TimedElasticBand::validate() const {
     return invalid("hysteresis must lie between 0 and reference_interval");
   if (rounds < 1 || steps < 1) return invalid("rounds and steps must be at least 1");
   if (!(tolerance >= 0)) return invalid("tolerance must not be negative");
-  if (max_poses < 3) return invalid("max_poses must be at least 3");
+  if (max_poses < 3 || max_poses > 100000)
+    return invalid("max_poses must lie between 3 and 100000");
   return {};
 }
 

@@ -17,6 +17,14 @@ struct MovingObstacle {
   Obstacle shape{};                ///< where it is now
   Point velocity = Point::Zero();  ///< [m/s]
 
+  MovingObstacle() = default;
+  MovingObstacle(Obstacle shape_now) : shape(std::move(shape_now)) {}  // NOLINT: implicit
+  MovingObstacle(Obstacle shape_now, const Point& per_second)
+      : shape(std::move(shape_now)), velocity(per_second) {}
+  /// Takes `{x, y}`, and `{}` as standing: a Point made from `{}` would have no value.
+  MovingObstacle(Obstacle shape_now, const double (&per_second)[2])
+      : shape(std::move(shape_now)), velocity(per_second[0], per_second[1]) {}
+
   bool stands() const { return detail::is_zero(velocity); }
 };
 

@@ -87,8 +87,13 @@ MotionProof BrakingMotion::keeps_off_map(const S& space) const {
     const PieceProof proof = prove_distance(space, piece, distance);
     if (proof.status == ProofStatus::proved) return {.proved = true};
     const Point point = piece.point(proof.parameter);
-    const NearestObstacle nearest = space.nearest(Segment{point, point}, distance * (1 + 1e-9));
-    return {false, {Blocker::Kind::map, nearest.obstacle, time_at(proof.parameter), point}};
+    const double time = time_at(proof.parameter);
+    if (!space.bounds().contains(point)) {
+      return {false, {Blocker::Kind::bounds, NearestObstacle::none, time, point}};
+    }
+    const double reach = distance + space.safety_radius() + space.distance_error_bound();
+    const NearestObstacle nearest = space.nearest(Segment{point, point}, reach);
+    return {false, {Blocker::Kind::map, nearest.obstacle, time, point}};
   });
 }
 
@@ -98,10 +103,11 @@ inline MotionProof BrakingMotion::keeps_off(const MovingObstacle& obstacle,
   return on_drive_path(path(), [&](const auto& piece) -> MotionProof {
     const Box swept = piece.box();
     const double magnitude = std::max(box.largest_coordinate(), swept.largest_coordinate());
-    const double drift = obstacle.velocity.norm() * (begin + period * (hold + periods));
+    const double drift = obstacle.velocity.norm() * (begin + period * (double(hold) + periods));
     const Box near = swept.inflated(distance + drift + 1e-6 * magnitude);
-    if (!(near.min.x() <= box.max.x() && near.min.y() <= box.max.y() &&
-          box.min.x() <= near.max.x() && box.min.y() <= near.max.y())) {
+    // Not the other way round: NaN is near.
+    if (near.min.x() > box.max.x() || near.min.y() > box.max.y() || box.min.x() > near.max.x() ||
+        box.min.y() > near.max.y()) {
       return {.proved = true};
     }
     if (obstacle.stands()) {

@@ -7,18 +7,34 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/geometry/pose.hpp"
 #include "tutavia/motion/drive/obstacle_distance.hpp"
+#include "tutavia/plan/failure.hpp"
 #include "tutavia/world/moving_obstacle.hpp"
 
 /// \file
 /// TrackedPath: a curve and how far a robot has come along it.
 
 namespace tutavia::detail {
+
+/// Errors: `invalid_input` for a path to follow that is empty, not finite, or longer than 10^6 m.
+inline Expected<void, Failure> check_path(const Curve& path) {
+  if (path.empty()) return fail(PlanError::invalid_input, "the path is empty");
+  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
+    if (!path.pieces()[i].visit([](const auto& piece) { return piece.is_finite(); })) {
+      return fail(PlanError::invalid_input, "pieces[" + std::to_string(i) + "] is not finite");
+    }
+  }
+  if (!(path.length() <= 1e6)) {
+    return fail(PlanError::invalid_input, "the path is longer than 1000000 m");
+  }
+  return {};
+}
 
 /// A curve with samples at equal steps, and the arc length up to which a robot has followed it.
 /// After construction nothing allocates.

@@ -18,31 +18,31 @@
 #include "tutavia/world/moving_obstacle.hpp"
 
 /// \file
-/// Ways: the curves by which a robot may come to the end of its path.
+/// Candidates: the curves by which a robot may come to the end of its path.
 
 namespace tutavia::detail {
 
-/// A way to the end, and the band along its next part.
-struct Way {
+/// A path to the end, and the band along its next part.
+struct Candidate {
   TrackedPath path{};
   Band band{};
   std::optional<TrackedPath::Block> block{};  // the first one ahead
-  double astray = 0;                          // the robot's distance from the way [m]
+  double astray = 0;                          // the robot's distance from the path [m]
   bool turns_first = false;                   // on the spot, before its band is optimised
 
   bool is_blocked() const { return block.has_value(); }
-  /// The robot is too far off to get back; near the end there is little way left for it.
+  /// The robot is too far off to get back; near the end there is little path left for it.
   bool is_lost() const { return astray > std::min(1.0, 0.2 + path.remaining()); }
 };
 
 /// The path that a robot was given, and detours around what blocks it: the shortest one, and one on
-/// the other side of the obstacle. One way is chosen, with hysteresis.
-class Ways {
+/// the other side of the obstacle. One of them is chosen, with hysteresis.
+class Candidates {
  public:
   /// The path alone.
   void reset(Curve path, const LocalPlannerOptions& options) {
     path_ = TrackedPath(std::move(path));
-    ways_.assign(1, Way{.path = path_});
+    candidates_.assign(1, Candidate{.path = path_});
     chosen_ = 0;
     failure_.reset();
     seen_.clear();
@@ -51,22 +51,24 @@ class Ways {
 
   bool empty() const { return path_.empty(); }
   const Curve& path() const { return path_.curve(); }
-  std::size_t size() const { return ways_.size(); }
+  std::size_t size() const { return candidates_.size(); }
   std::size_t chosen() const { return chosen_; }
-  void choose(std::size_t way) { chosen_ = way; }
-  Way& operator[](std::size_t way) { return ways_[way]; }
-  Way& current() { return ways_[chosen_]; }
-  const Way& current() const { return ways_[chosen_]; }
-  /// Why the last search found no way.
+  void choose(std::size_t candidate) { chosen_ = candidate; }
+  Candidate& operator[](std::size_t candidate) { return candidates_[candidate]; }
+  Candidate& current() { return candidates_[chosen_]; }
+  const Candidate& current() const { return candidates_[chosen_]; }
+  /// Why the last search found no path.
   const std::optional<Failure>& failure() const { return failure_; }
   void forget_failure() { failure_.reset(); }
 
-  /// Whether obstacles have appeared, vanished or changed their velocity since the last call.
-  bool have_changed(std::span<const MovingObstacle> observed, double period);
+  /// Whether obstacles near the robot have appeared, vanished or changed their velocity since the
+  /// last call, by more than perception may err. Obstacles keep their order.
+  bool have_changed(const Point& robot, std::span<const MovingObstacle> observed,
+                    const LocalPlannerOptions& options);
 
-  /// Follows the robot along every way, and finds what blocks them. Searches detours if the current
-  /// way is blocked or lost, or if `wants_search`; returns whether it did. Chooses the shortest way
-  /// that is free, if it is shorter by `switch_gain`.
+  /// Follows the robot along every path, and finds what blocks them. Searches detours if the
+  /// current path is blocked or lost, or if `wants_search`; returns whether it did. Chooses the
+  /// shortest path that is free, if it is shorter by `switch_gain`.
   template <FeatureSpace S>
   bool update(const S& space, const Point& robot, std::span<const MovingObstacle> observed,
               const LocalPlannerOptions& options, bool wants_search);
@@ -84,49 +86,56 @@ class Ways {
   }
 
   TrackedPath path_;  // as given
-  std::vector<Way> ways_{1};
+  std::vector<Candidate> candidates_{1};
   std::size_t chosen_ = 0;
   std::optional<Failure> failure_;
   std::vector<MovingObstacle> seen_;
   int since_search_ = 0;  // [periods]
 };
 
-inline bool Ways::have_changed(std::span<const MovingObstacle> observed, double period) {
+inline bool Candidates::have_changed(const Point& robot, std::span<const MovingObstacle> observed,
+                                     const LocalPlannerOptions& options) {
+  constexpr double most_off = 0.05;  // [m] and [m/s]
   bool changed = observed.size() != seen_.size();
   for (std::size_t i = 0; !changed && i < observed.size(); ++i) {
-    const Point expected = offset_along(center_of(seen_[i].shape), period, seen_[i].velocity);
-    changed = seen_[i].velocity != observed[i].velocity ||
-              distance(expected, center_of(observed[i].shape)) > 0.01;
+    const Point now = center_of(observed[i].shape);
+    const Point expected =
+        offset_along(center_of(seen_[i].shape), options.control.period, seen_[i].velocity);
+    changed = std::min(distance(robot, now), distance(robot, expected)) < options.window &&
+              (distance(seen_[i].velocity, observed[i].velocity) > most_off ||
+               distance(expected, now) > most_off);
   }
   seen_.assign(observed.begin(), observed.end());
   return changed;
 }
 
 template <FeatureSpace S>
-bool Ways::update(const S& space, const Point& robot, std::span<const MovingObstacle> observed,
-                  const LocalPlannerOptions& options, bool wants_search) {
+bool Candidates::update(const S& space, const Point& robot,
+                        std::span<const MovingObstacle> observed,
+                        const LocalPlannerOptions& options, bool wants_search) {
   const double clearance = demanded_clearance(space.safety_radius(), options.control);
   path_.advance(robot);
-  for (Way& way : ways_) {
-    way.astray = way.path.advance(robot);
-    way.block = first_block(way.path, observed, clearance, options);
+  for (Candidate& candidate : candidates_) {
+    candidate.astray = candidate.path.advance(robot);
+    candidate.block = first_block(candidate.path, observed, clearance, options);
   }
-  ++since_search_;
+  since_search_ = std::min(since_search_, options.search_interval - 1) + 1;
   const bool needed = wants_search || current().is_blocked() || current().is_lost();
   const bool searches = needed && since_search_ >= options.search_interval;
   if (searches) search(space, robot, observed, options);
-  const auto cost = [&](const Way& way) {
-    return way.astray + way.path.remaining() + (way.is_blocked() ? 1e6 : 0.0);
+  const auto cost = [&](const Candidate& candidate) {
+    return candidate.astray + candidate.path.remaining() + (candidate.is_blocked() ? 1e6 : 0.0);
   };
-  for (std::size_t i = 0; i < ways_.size(); ++i) {
-    if (cost(ways_[i]) + options.switch_gain < cost(current())) chosen_ = i;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    if (cost(candidates_[i]) + options.switch_gain < cost(current())) chosen_ = i;
   }
   return searches;
 }
 
 template <FeatureSpace S>
-void Ways::search(const S& space, const Point& robot, std::span<const MovingObstacle> observed,
-                  const LocalPlannerOptions& options) {
+void Candidates::search(const S& space, const Point& robot,
+                        std::span<const MovingObstacle> observed,
+                        const LocalPlannerOptions& options) {
   since_search_ = 0;
   failure_.reset();
   const double demanded = demanded_clearance(space.safety_radius(), options.control);
@@ -148,12 +157,12 @@ void Ways::search(const S& space, const Point& robot, std::span<const MovingObst
     failure_ = std::move(first.error());
     return;
   }
-  std::vector<Way> ways;
-  if (!current().is_blocked() && !current().is_lost()) ways.push_back(std::move(current()));
+  std::vector<Candidate> candidates;
+  if (!current().is_blocked() && !current().is_lost()) candidates.push_back(std::move(current()));
   auto second = block ? detours.other_side(query, *first, block->obstacle) : std::nullopt;
-  ways.push_back(Way{.path = TrackedPath(std::move(*first))});
-  if (second) ways.push_back(Way{.path = TrackedPath(std::move(*second))});
-  ways_ = std::move(ways);
+  candidates.push_back(Candidate{.path = TrackedPath(std::move(*first))});
+  if (second) candidates.push_back(Candidate{.path = TrackedPath(std::move(*second))});
+  candidates_ = std::move(candidates);
   chosen_ = 0;
 }
 
