@@ -63,7 +63,7 @@ inline Expected<CellSpace, Failure> with_obstacles(const CellSpace& space,
       for (int x = std::max(0, column(box.min.x()));
            x <= std::min(cells.width() - 1, column(box.max.x())); ++x) {
         const Point center = space.corner({x, y}) + Point(0.5 * side, 0.5 * side);
-        const double gap = approach({.from = {center, 0}}, {obstacle.shape}).distance;
+        const double gap = approach({.from = {center, 0}}, obstacle).distance;
         if (gap <= 0.71 * side) cells.set({x, y}, false);
       }
     }
