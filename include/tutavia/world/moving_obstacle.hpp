@@ -22,7 +22,7 @@ struct MovingObstacle {
   MovingObstacle(Obstacle shape_now, const Point& per_second)
       : shape(std::move(shape_now)), velocity(per_second) {}
   /// Takes `{x, y}`, and `{}` as standing: a Point made from `{}` would have no value.
-  MovingObstacle(Obstacle shape_now, const double (&per_second)[2])
+  MovingObstacle(Obstacle shape_now, const double (&per_second)[2])  // NOLINT: braces
       : shape(std::move(shape_now)), velocity(per_second[0], per_second[1]) {}
 
   bool stands() const { return detail::is_zero(velocity); }
