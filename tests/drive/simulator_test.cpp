@@ -239,8 +239,8 @@ TEST_CASE("obstacles appear in front of the robot, with a gap, and off the goal"
       CHECK(approach({.from = {{9, 5}, 0}}, e.obstacle).distance >= 0.6);
     }
   }
-  CHECK(moving > 30);
-  CHECK(staying > 30);
+  CHECK(10 * moving > 3 * test::scaled(100));
+  CHECK(10 * staying > 3 * test::scaled(100));
 }
 
 }  // namespace
