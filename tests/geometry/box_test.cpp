@@ -87,4 +87,15 @@ TEST_CASE("inflating reaches exactly the points within the margin along both axe
   }
 }
 
+TEST_CASE("boxes meet where they share a point") {
+  const Box box{{0, 0}, {2, 1}};
+  CHECK(box.meets({{1, 0.5}, {3, 3}}));
+  CHECK(box.meets({{0.5, 0.2}, {0.6, 0.3}}));
+  CHECK(box.meets({{2, 1}, {3, 3}}));
+  CHECK_FALSE(box.meets({{2.1, 0}, {3, 1}}));
+  CHECK_FALSE(box.meets({{0, -2}, {2, -0.1}}));
+  CHECK_FALSE(box.meets(Box{}));
+  CHECK(box.meets({{std::nan(""), 0}, {1, 1}}));
+}
+
 }  // namespace

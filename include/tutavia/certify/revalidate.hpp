@@ -49,10 +49,8 @@ class ChangedSurroundings {
     const double magnitude = std::fmax(space_.largest_coordinate(), box.largest_coordinate());
     const double error = error_bound(piece, magnitude);
     const Box zone = box.inflated(reach + error);
-    return std::any_of(changed_.begin(), changed_.end(), [&](const Box& b) {
-      return !(b.max.x() < zone.min.x() || zone.max.x() < b.min.x() || b.max.y() < zone.min.y() ||
-               zone.max.y() < b.min.y());
-    });
+    return std::any_of(changed_.begin(), changed_.end(),
+                       [&](const Box& b) { return b.meets(zone); });
   }
 
   /// Whether the whole piece lies within the bounds for sure.

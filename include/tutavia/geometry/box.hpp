@@ -35,6 +35,12 @@ struct Box {
   }
   bool contains(const Box& other) const { return contains(other.min) && contains(other.max); }
 
+  /// Whether the boxes share a point, on their borders at least; true where a coordinate is NaN.
+  bool meets(const Box& other) const {
+    return !(max.x() < other.min.x() || other.max.x() < min.x() || max.y() < other.min.y() ||
+             other.max.y() < min.y());
+  }
+
   /// The box grown by `margin` on every side (shrunk if negative).
   Box inflated(double margin) const {
     return {{min.x() - margin, min.y() - margin}, {max.x() + margin, max.y() + margin}};
