@@ -108,8 +108,8 @@ struct TimedElasticBand {
   Expected<BandReport, Failure> optimize(const S& space, std::span<const MovingObstacle> observed,
                                          const BandTask& task, Band& band, Scratch& scratch) const;
 
-  /// Inserts and removes poses so that intervals come near the reference.
-  void resize(Band& band) const;
+  /// Inserts and removes poses so that intervals come near the reference. Returns whether it did.
+  bool resize(Band& band) const;
 };
 
 /// The twist that takes a robot along the arc from a band's first pose to its second in the first
@@ -171,7 +171,8 @@ inline void TimedElasticBand::lay(const Curve& path, double from, double to, con
   }
 }
 
-inline void TimedElasticBand::resize(Band& band) const {
+inline bool TimedElasticBand::resize(Band& band) const {
+  bool changed = false;
   for (std::size_t i = 0; i < band.intervals.size();) {
     const double time = band.intervals[i];
     if (time > reference_interval + hysteresis && band.poses.size() < max_poses) {
@@ -181,6 +182,7 @@ inline void TimedElasticBand::resize(Band& band) const {
       band.intervals.insert(band.intervals.begin() + std::ptrdiff_t(i), 0.5 * time);
       band.poses.insert(band.poses.begin() + std::ptrdiff_t(i) + 1, middle);
       if (0.5 * time <= reference_interval + hysteresis) i += 2;
+      changed = true;
     } else if (time < reference_interval - hysteresis && band.poses.size() > 3) {
       // With the next interval; the last one goes to that before it.
       const std::size_t first = i + 1 < band.intervals.size() ? i : i - 1;
@@ -188,10 +190,12 @@ inline void TimedElasticBand::resize(Band& band) const {
       band.intervals.erase(band.intervals.begin() + std::ptrdiff_t(first) + 1);
       band.poses.erase(band.poses.begin() + std::ptrdiff_t(first) + 1);
       i = first + 1;
+      changed = true;
     } else {
       ++i;
     }
   }
+  return changed;
 }
 
 template <FeatureSpace S>
@@ -214,10 +218,15 @@ Expected<BandReport, Failure> TimedElasticBand::optimize(const S& space,
   best = band;
   solver.look_around(space, observed, current, reach);
   report.before = report.after = solver.cost(current);
-  for (double& interval : current.intervals) interval = std::max(interval, shortest);
+  bool changed = false;
+  for (double& interval : current.intervals) {
+    changed = changed || interval < shortest;
+    interval = std::max(interval, shortest);
+  }
   for (int round = 0; round < rounds; ++round) {
-    resize(current);
-    solver.look_around(space, observed, current, reach);
+    changed = resize(current) || changed;
+    if (changed) solver.look_around(space, observed, current, reach);
+    changed = false;
     const auto outcome = solver.descend(current, steps, shortest, tolerance);
     report.iterations += outcome.steps;
     solver.look_around(space, observed, current, reach);

@@ -75,11 +75,7 @@ inline void BandFeatures::add_observed(std::span<const MovingObstacle> observed,
   for (std::uint32_t i = 0; i < observed.size(); ++i) {
     const Obstacle& shape = observed[i].shape;
     const double drift = observed[i].velocity.norm() * (times_.empty() ? 0 : times_.back());
-    const Box box = box_of(shape).inflated(drift);
-    if (!(window.min.x() <= box.max.x() && window.min.y() <= box.max.y() &&
-          box.min.x() <= window.max.x() && box.min.y() <= window.max.y())) {
-      continue;
-    }
+    if (!box_of(shape).inflated(drift).meets(window)) continue;
     const auto add = [&](const Segment& core, double radius) {
       features_.push_back({core, radius, observed[i].velocity});
       owners_.push_back(i + 1);
@@ -118,18 +114,21 @@ void BandFeatures::find(const S& space, std::span<const MovingObstacle> observed
   add_observed(observed, window);
   for (std::size_t i = 0; i < band.poses.size(); ++i) {
     const Point& p = band.poses[i].position;
-    const bool in_map = space.is_inside(p);
+    // The features of one obstacle follow one another.
+    std::uint32_t owner = 0;
+    bool in_owner = space.is_inside(p);
     for (std::uint32_t k = 0; k < features_.size(); ++k) {
       const Closest found = closest(features_[k], p, times_[i]);
       if (!(found.distance - features_[k].radius < reach)) continue;
-      bool inside = owners_[k] == 0 ? in_map && features_[k].radius == 0 : false;
-      if (owners_[k] > 0) {
-        const Polygon* polygon = std::get_if<Polygon>(&observed[owners_[k] - 1].shape);
-        inside = polygon != nullptr &&
-                 contains(*polygon, offset_along(p, -times_[i], features_[k].velocity));
+      if (owners_[k] != owner) {
+        owner = owners_[k];
+        const MovingObstacle& obstacle = observed[owner - 1];
+        const Polygon* polygon = std::get_if<Polygon>(&obstacle.shape);
+        in_owner = polygon != nullptr &&
+                   contains(*polygon, offset_along(p, -times_[i], obstacle.velocity));
       }
       const bool right = found.away.dot(across_[i]) > 0;
-      near_.push_back({k, right, inside});
+      near_.push_back({k, right, in_owner && features_[k].radius == 0});
     }
     first_near_.push_back(near_.size());
   }

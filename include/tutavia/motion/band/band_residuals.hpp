@@ -47,7 +47,8 @@ class BandResiduals {
   BandResiduals(const BandProblem& problem, const BandFeatures& features, const Band& band)
       : problem_(problem), features_(features), band_(band) {}
 
-  /// Calls `visit(term, i, residual, gradient)` for every residual that is not zero for sure.
+  /// Calls `visit(term, i, residual, gradient)` for every residual. That of an obstacle that is
+  /// far enough is left out.
   template <class Visit>
   void for_each(Visit visit) const;
 
