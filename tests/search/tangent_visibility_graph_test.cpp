@@ -16,6 +16,7 @@
 #include "tutavia/space/inflated_space.hpp"
 #include "tutavia/world/changed_boxes.hpp"
 #include "tutavia/world/maps.hpp"
+#include "tutavia/world/moving_obstacle.hpp"
 
 namespace {
 
@@ -41,19 +42,6 @@ std::size_t count_edges(const TangentVisibilityGraph& map) {
   return count;
 }
 
-Obstacle moved(Obstacle obstacle, const Point& by) {
-  if (Disc* disc = std::get_if<Disc>(&obstacle)) {
-    disc->center += by;
-    return obstacle;
-  }
-  Polygon& polygon = std::get<Polygon>(obstacle);
-  for (Point& p : polygon.outer) p += by;
-  for (Ring& hole : polygon.holes) {
-    for (Point& p : hole) p += by;
-  }
-  return obstacle;
-}
-
 Polygon rectangle(const Box& box) {
   return {{box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}}};
 }
@@ -77,7 +65,7 @@ const char* change(Workspace& world, test::WorldGenerator& worlds) {
     case 7:
     case 8:
     case 9: {
-      const Obstacle shifted = moved(
+      const Obstacle shifted = translated(
           *any(), worlds.snap({random.uniform(-size, size) / 4, random.uniform(-size, size) / 4}));
       obstacles.erase(any());
       obstacles.push_back(shifted);
@@ -85,7 +73,7 @@ const char* change(Workspace& world, test::WorldGenerator& worlds) {
     }
     case 10: {
       const auto which = any();
-      *which = moved(*which, worlds.snap({random.uniform(-size, size), 0}));
+      *which = translated(*which, worlds.snap({random.uniform(-size, size), 0}));
       return "moved";
     }
     case 11: {
