@@ -289,6 +289,7 @@ TEST_CASE("options of control out of range are refused by name") {
   CHECK(names(message({.limits = {.max_backward_speed = -1}}), "max_backward_speed"));
   CHECK(names(message({.limits = {.max_angular_acceleration = -1}}), "max_angular_acceleration"));
   CHECK(names(message({.limits = {.max_acceleration = 1e-9}}), "max_acceleration"));
+  CHECK(names(message({.limits = {.max_backward_speed = 1e12}}), "max_acceleration"));
   CHECK(names(message({.period = 0}), "period"));
   CHECK(names(message({.latency = -1}), "latency"));
   CHECK(names(message({.latency = 100}), "latency"));

@@ -31,11 +31,10 @@ struct ControlOptions {
 /// what a path has to keep for the robot to follow it.
 inline double demanded_clearance(double safety_radius, const ControlOptions& control) {
   const DriveLimits& limits = control.limits;
-  const double braking =
-      std::max(std::max(limits.max_speed, limits.max_backward_speed) / limits.max_acceleration,
-               limits.max_angular_speed / limits.max_angular_acceleration);
-  const double reach = std::max(limits.max_speed, limits.max_backward_speed) *
-                       (control.latency + control.period * control.hold + 0.5 * braking);
+  const double braking = std::max(limits.fastest() / limits.max_acceleration,
+                                  limits.max_angular_speed / limits.max_angular_acceleration);
+  const double reach =
+      limits.fastest() * (control.latency + control.period * control.hold + 0.5 * braking);
   const double error = control.position_error + control.heading_error * reach;
   return safety_radius * (1 + 1e-3) + 3 * error;
 }
@@ -48,7 +47,7 @@ inline Expected<void, Failure> validate(const ControlOptions& options) {
   if (!(options.period > 0 && std::isfinite(options.period)))
     return invalid("period must be positive and finite");
   const DriveLimits& limits = options.limits;
-  if (!(limits.max_speed <= 1e4 * options.period * limits.max_acceleration &&
+  if (!(limits.fastest() <= 1e4 * options.period * limits.max_acceleration &&
         limits.max_angular_speed <= 1e4 * options.period * limits.max_angular_acceleration)) {
     return invalid(
         "max_acceleration and max_angular_acceleration must stop the robot within 10000 "

@@ -32,6 +32,9 @@ struct DriveLimits {
   double max_angular_speed = 0.3;         ///< [rad/s]
   double max_acceleration = 0.5;          ///< and deceleration [m/s^2]
   double max_angular_acceleration = 0.5;  ///< [rad/s^2]
+
+  /// The greatest speed in either direction [m/s].
+  double fastest() const { return std::max(max_speed, max_backward_speed); }
 };
 
 /// Errors: `invalid_option` for a limit that is not positive and finite (0 is valid for the

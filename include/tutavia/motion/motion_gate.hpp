@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <numbers>
 #include <span>
-#include <vector>
 
 #include "tutavia/motion/control_options.hpp"
 #include "tutavia/motion/drive/braking_motion.hpp"
+#include "tutavia/motion/drive/command_history.hpp"
 #include "tutavia/motion/drive/obstacle_distance.hpp"
 #include "tutavia/motion/drive_command.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -59,11 +58,9 @@ class MotionGate {
   const S& space() const { return *space_; }
   const ControlOptions& options() const { return options_; }
   /// The command issued last; zero at first.
-  const Twist& last() const { return issued_.back(); }
+  const Twist& last() const { return history_.last(); }
   /// The robot stands, and no command that moves it is under way.
-  bool stands() const {
-    return std::all_of(issued_.begin(), issued_.end(), [](const Twist& t) { return t.is_zero(); });
-  }
+  bool stands() const { return history_.stands(); }
 
   /// Whether odometry and obstacles are finite numbers of a size that distances can be computed of.
   static bool accepts(const Pose& odometry, std::span<const MovingObstacle> observed) {
@@ -72,7 +69,7 @@ class MotionGate {
   }
 
   /// The pose at which a command issued now takes effect.
-  Pose start_of_command(const Pose& odometry) const { return committed(odometry).end; }
+  Pose start_of_command(const Pose& odometry) const { return start(odometry).pose; }
 
   /// The command nearest to `wanted` that the limits allow after the last one, on the same arc
   /// where possible.
@@ -104,91 +101,74 @@ class MotionGate {
 
   /// Forgets the commands: the robot stands.
   void reset() {
-    std::fill(issued_.begin(), issued_.end(), Twist{});
+    history_.clear();
     braking_periods_ = 0;
   }
 
  private:
-  /// The motion that commands under way have in store.
-  struct Committed {
-    Pose end;
-    double length;  // of the path to it [m]
+  /// Where a command issued now takes effect.
+  struct Start {
+    Pose pose;
+    double length;  // of the path until there [m]
   };
+
   MotionGate(const S& space, const ControlOptions& options)
-      : space_(&space),
-        options_(options),
-        issued_(static_cast<std::size_t>(std::ceil(options.latency / options.period)) + 1) {}
+      : space_(&space), options_(options), history_(options) {}
 
   DriveCommand brake(const Pose& odometry, std::span<const MovingObstacle> observed,
                      bool input_is_valid);
-  Committed committed(const Pose& odometry) const;
-  /// Calls `visit(from, twist, begin, time)` for the commands under way, until one issued now takes
-  /// effect.
-  template <class Visit>
-  void for_each_under_way(const Pose& odometry, Visit visit) const;
+  Start start(const Pose& odometry) const;
   /// Whether the robot touches nothing, as far as the odometry can tell, until a command issued now
-  /// takes effect. It cannot be kept from it any more.
-  MotionProof check_under_way(const Pose& odometry, std::span<const MovingObstacle> observed) const;
-  /// Whether a motion keeps its distance from all obstacles.
+  /// takes effect, `length` metres from now. It cannot be kept from it any more.
+  MotionProof check_under_way(const Pose& odometry, double length,
+                              std::span<const MovingObstacle> observed) const;
+  /// Whether a motion keeps its distance from the map and the observed obstacles. It may leave the
+  /// bounds, which then are the blocker.
   MotionProof check_except_bounds(const detail::BrakingMotion& motion,
                                   std::span<const MovingObstacle> observed) const;
+  static MotionProof check_observed(const detail::BrakingMotion& motion,
+                                    std::span<const MovingObstacle> observed);
   int braking_periods(const Twist& twist) const;
   /// A bound on the odometry's error of a point on a path of some length [m].
   double error_within(double length) const {
     return options_.position_error + options_.heading_error * length;
   }
-  MotionProof check(const detail::BrakingMotion& motion,
-                    std::span<const MovingObstacle> observed) const;
-  detail::BrakingMotion motion(const Pose& odometry, const Twist& twist, int hold, int periods,
-                               std::span<const MovingObstacle> observed) const;
+  /// The distance that a motion has to keep, if the robot has some clearance where it begins.
+  double distance_to_keep(const Start& start, double clearance,
+                          const detail::BrakingMotion& motion) const;
   double clearance_at(const Point& p, double time, std::span<const MovingObstacle> observed) const;
 
   DriveCommand issue(const Twist& twist, DriveStatus status, const Blocker& blocker) {
-    std::rotate(issued_.begin(), issued_.begin() + 1, issued_.end());
-    issued_.back() = twist;
+    history_.add(twist);
     return {twist, status, blocker};
   }
 
   const S* space_;
   ControlOptions options_;
-  std::vector<Twist> issued_;  // the last ones, the newest at the end
-  int braking_periods_ = 0;    // in which the robot stops from the last command
+  detail::CommandHistory history_;
+  int braking_periods_ = 0;  // in which the robot stops from the last command
 };
 
 template <ClearanceSpace S>
-typename MotionGate<S>::Committed MotionGate<S>::committed(const Pose& odometry) const {
-  Committed result{odometry, 0};
-  for_each_under_way(odometry, [&](const Pose& from, const Twist& twist, double, double time) {
-    result.end = moved(from, twist, time);
-    result.length += std::abs(twist.v) * time;
-  });
-  return result;
+typename MotionGate<S>::Start MotionGate<S>::start(const Pose& odometry) const {
+  double length = 0;
+  const Pose pose = history_.for_each_under_way(
+      odometry, [&](const Pose&, const Twist& twist, double, double time) {
+        length += std::abs(twist.v) * time;
+      });
+  return {pose, length};
 }
 
 template <ClearanceSpace S>
-template <class Visit>
-void MotionGate<S>::for_each_under_way(const Pose& odometry, Visit visit) const {
-  Pose pose{odometry.position, std::remainder(odometry.heading, 2 * std::numbers::pi)};
-  for (std::size_t i = 0; i < issued_.size(); ++i) {
-    const auto age = static_cast<double>(issued_.size() - i);  // in periods
-    const double begin = std::max(0.0, options_.latency - age * options_.period);
-    const double end = std::max(0.0, options_.latency - (age - 1) * options_.period);
-    if (!(end > begin)) continue;
-    visit(pose, issued_[i], begin, end - begin);
-    pose = moved(pose, issued_[i], end - begin);
-  }
-}
-
-template <ClearanceSpace S>
-MotionProof MotionGate<S>::check_under_way(const Pose& odometry,
+MotionProof MotionGate<S>::check_under_way(const Pose& odometry, double length,
                                            std::span<const MovingObstacle> observed) const {
   MotionProof proof{.proved = true};
-  const double radius = space_->safety_radius() - error_within(committed(odometry).length);
-  for_each_under_way(odometry, [&](const Pose& from, const Twist& twist, double begin,
-                                   double time) {
-    if (!proof.proved || twist.v == 0) return;
-    proof = check_except_bounds({from, twist, 1, 0, time, begin, std::max(0.0, radius)}, observed);
-  });
+  const double distance = std::max(0.0, space_->safety_radius() - error_within(length));
+  history_.for_each_under_way(
+      odometry, [&](const Pose& from, const Twist& twist, double begin, double time) {
+        if (!proof.proved || twist.v == 0) return;
+        proof = check_except_bounds({from, twist, 1, 0, time, begin, distance}, observed);
+      });
   return proof;
 }
 
@@ -197,6 +177,15 @@ MotionProof MotionGate<S>::check_except_bounds(const detail::BrakingMotion& moti
                                                std::span<const MovingObstacle> observed) const {
   MotionProof proof = motion.keeps_off_map(*space_);
   proof.proved = proof.proved || proof.blocker.kind == Blocker::Kind::bounds;
+  if (!proof.proved) return proof;
+  const MotionProof beside = check_observed(motion, observed);
+  return beside.proved ? proof : beside;
+}
+
+template <ClearanceSpace S>
+MotionProof MotionGate<S>::check_observed(const detail::BrakingMotion& motion,
+                                          std::span<const MovingObstacle> observed) {
+  MotionProof proof{.proved = true};
   for (std::uint32_t i = 0; proof.proved && i < observed.size(); ++i) {
     proof = motion.keeps_off(observed[i], i);
   }
@@ -252,51 +241,38 @@ double MotionGate<S>::clearance_at(const Point& p, double time,
 }
 
 template <ClearanceSpace S>
-detail::BrakingMotion MotionGate<S>::motion(const Pose& odometry, const Twist& twist, int hold,
-                                            int periods,
-                                            std::span<const MovingObstacle> observed) const {
-  const Committed before = committed(odometry);
-  detail::BrakingMotion result{before.end, twist, hold, periods, options_.period, options_.latency};
-  const double error = error_within(before.length + result.length());
+double MotionGate<S>::distance_to_keep(const Start& start, double clearance,
+                                       const detail::BrakingMotion& motion) const {
+  const double error = error_within(start.length + motion.length());
   const double radius = space_->safety_radius();
-  const double fastest = std::max(options_.limits.max_speed, options_.limits.max_backward_speed);
-  const bool is_slow = std::abs(twist.v) <= 0.26 * fastest;
+  const bool is_slow = std::abs(motion.twist.v) <= 0.26 * options_.limits.fastest();
   const double most = radius * (1 + 1e-3) + (is_slow ? 1 : 3) * error;
-  result.distance = std::clamp(clearance_at(before.end.position, options_.latency, observed),
-                               radius + error, most);
-  return result;
+  return std::clamp(clearance, radius + error, most);
 }
 
 template <ClearanceSpace S>
 MotionProof MotionGate<S>::check(const Pose& odometry, const Twist& twist, int hold,
                                  std::span<const MovingObstacle> observed) const {
   if (!accepts(odometry, observed)) return {};
-  const double fastest = std::max(options_.limits.max_speed, options_.limits.max_backward_speed);
-  const bool is_possible = hold >= 1 && std::abs(twist.v) <= fastest &&
+  const bool is_possible = hold >= 1 && std::abs(twist.v) <= options_.limits.fastest() &&
                            std::abs(twist.omega) <= options_.limits.max_angular_speed;
   if (!is_possible) return {};  // for NaN, too
-  MotionProof under_way = check_under_way(odometry, observed);
-  if (!under_way.proved || twist.v == 0) return under_way;
-  const int periods = braking_periods(twist);
-  MotionProof proof = check(motion(odometry, twist, hold, periods, observed), observed);
+  const Start from = start(odometry);
+  MotionProof proof = check_under_way(odometry, from.length, observed);
+  if (!proof.proved || twist.v == 0) return proof;
+  const double clearance = clearance_at(from.pose.position, options_.latency, observed);
+  detail::BrakingMotion motion{from.pose,       twist,           hold, braking_periods(twist),
+                               options_.period, options_.latency};
+  motion.distance = distance_to_keep(from, clearance, motion);
+  proof = motion.keeps_off_map(*space_);
+  if (proof.proved) proof = check_observed(motion, observed);
   if (!proof.proved || hold == 1) return proof;
   // A robot that brakes at the next chance stops on the same arc, but where obstacles that move may
   // come to while they would have missed it farther on.
-  const detail::BrakingMotion soon = motion(odometry, twist, 1, periods, observed);
-  for (std::uint32_t i = 0; i < observed.size(); ++i) {
-    if (observed[i].stands()) continue;
-    MotionProof early = soon.keeps_off(observed[i], i);
-    if (!early.proved) return early;
-  }
-  return proof;
-}
-
-template <ClearanceSpace S>
-MotionProof MotionGate<S>::check(const detail::BrakingMotion& motion,
-                                 std::span<const MovingObstacle> observed) const {
-  MotionProof proof = motion.keeps_off_map(*space_);
+  motion.hold = 1;
+  motion.distance = distance_to_keep(from, clearance, motion);
   for (std::uint32_t i = 0; proof.proved && i < observed.size(); ++i) {
-    proof = motion.keeps_off(observed[i], i);
+    if (!observed[i].stands()) proof = motion.keeps_off(observed[i], i);
   }
   return proof;
 }
@@ -330,14 +306,18 @@ DriveCommand MotionGate<S>::brake(const Pose& odometry, std::span<const MovingOb
                                   bool input_is_valid) {
   const Twist twist = detail::braked(last(), 1, std::max(1, braking_periods_));
   MotionProof proof{.proved = true};
-  if (input_is_valid) proof = check_under_way(odometry, observed);
-  if (input_is_valid && proof.proved && twist.v != 0) {
-    detail::BrakingMotion braking =
-        motion(odometry, twist, 1, std::max(1, braking_periods_ - 1), observed);
-    // Odometry that jumps within its bounds is no emergency.
-    const double error = error_within(committed(odometry).length + braking.length());
-    braking.distance = std::max(0.0, space_->safety_radius() - error);
-    proof = check_except_bounds(braking, observed);
+  if (input_is_valid) {
+    const Start from = start(odometry);
+    proof = check_under_way(odometry, from.length, observed);
+    if (proof.proved && twist.v != 0) {
+      detail::BrakingMotion braking{
+          from.pose,       twist,           1, std::max(1, braking_periods_ - 1),
+          options_.period, options_.latency};
+      // Odometry that jumps within its bounds is no emergency.
+      const double error = error_within(from.length + braking.length());
+      braking.distance = std::max(0.0, space_->safety_radius() - error);
+      proof = check_except_bounds(braking, observed);
+    }
   }
   const DriveStatus status = !input_is_valid    ? DriveStatus::invalid_input
                              : !proof.proved    ? DriveStatus::emergency

@@ -112,7 +112,6 @@ class PathFollower {
   double turn_towards(double angle) const;
   double speed_limit(const Pose& from, std::span<const MovingObstacle> observed) const;
   double speed_in_bends() const;
-  double gap(const Point& p, std::span<const MovingObstacle> observed) const;
   /// The highest speed from which the robot stops within a distance, or an angle.
   double stopping_speed(double way, double deceleration) const {
     const double period = control().period;
@@ -225,7 +224,8 @@ double PathFollower<S>::speed_limit(const Pose& from,
   const double way = std::max(path_.length() - progress_, distance(from.position, path_.end()));
   double speed =
       std::min({limits.max_speed, speed_in_bends(), stopping_speed(way, limits.max_acceleration)});
-  const double room = gap(from.position, observed);
+  const double room = detail::clearance_among(gate_.space(), observed, from.position) -
+                      gate_.space().safety_radius();
   if (room < options_.slow_gap) {
     const double share = std::max(0.0, room) / options_.slow_gap;
     speed = std::min(speed, limits.max_speed * (options_.slowest + (1 - options_.slowest) * share));
@@ -247,15 +247,6 @@ double PathFollower<S>::speed_in_bends() const {
     speed = std::min(speed, std::sqrt(there * there + 2 * brakes * ahead));
   }
   return speed;
-}
-
-template <ClearanceSpace S>
-double PathFollower<S>::gap(const Point& p, std::span<const MovingObstacle> observed) const {
-  double least = gate_.space().clearance(p);
-  for (const MovingObstacle& obstacle : observed) {
-    least = std::min(least, detail::distance_to(Segment{p, p}, obstacle.shape).distance);
-  }
-  return least - gate_.space().safety_radius();
 }
 
 }  // namespace tutavia

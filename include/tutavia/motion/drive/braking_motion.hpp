@@ -105,11 +105,7 @@ inline MotionProof BrakingMotion::keeps_off(const MovingObstacle& obstacle,
     const double magnitude = std::max(box.largest_coordinate(), swept.largest_coordinate());
     const double drift = obstacle.velocity.norm() * (begin + period * (double(hold) + periods));
     const Box near = swept.inflated(distance + drift + 1e-6 * magnitude);
-    // Not the other way round: NaN is near.
-    if (near.min.x() > box.max.x() || near.min.y() > box.max.y() || box.min.x() > near.max.x() ||
-        box.min.y() > near.max.y()) {
-      return {.proved = true};
-    }
+    if (!near.meets(box)) return {.proved = true};
     if (obstacle.stands()) {
       const ClosestApproach found = distance_below(piece, obstacle.shape, magnitude);
       if (found.distance >= distance) return {.proved = true};

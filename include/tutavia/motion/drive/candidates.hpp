@@ -140,12 +140,8 @@ void Candidates::search(const S& space, const Point& robot,
   failure_.reset();
   const double demanded = demanded_clearance(space.safety_radius(), options.control);
   const auto block = first_block(path_, observed, demanded, options);
-  double here = space.clearance(robot);
-  for (const MovingObstacle& obstacle : observed) {
-    here = std::min(here, distance_to(Segment{robot, robot}, obstacle.shape).distance);
-  }
   // A robot that stands nearer may leave along paths as near.
-  const double most = here * (1 - 1e-3);
+  const double most = clearance_among(space, observed, robot) * (1 - 1e-3);
   const double least =
       std::max(space.safety_radius() * (1 + 1e-4), std::min(demanded + 0.2 * options.margin, most));
   const DetourQuery query{robot, std::max(least, std::min(demanded + options.margin, most)), least,

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <variant>
 
 #include "tutavia/geometry/arc.hpp"
 #include "tutavia/geometry/piece.hpp"
 #include "tutavia/geometry/polygon.hpp"
 #include "tutavia/geometry/segment.hpp"
+#include "tutavia/space/concepts.hpp"
 #include "tutavia/world/moving_obstacle.hpp"
 
 /// \file
@@ -46,6 +48,16 @@ ClosestApproach distance_below(const P& piece, const Obstacle& obstacle, double 
   found.distance -= distance_rounding_error(magnitude);
   if constexpr (std::is_same_v<P, Arc>) found.distance -= piece.evaluation_error();
   return found;
+}
+
+/// The clearance of a point from the map and from observed obstacles, where they are now [m].
+template <ClearanceSpace S>
+double clearance_among(const S& space, std::span<const MovingObstacle> observed, const Point& p) {
+  double least = space.clearance(p);
+  for (const MovingObstacle& obstacle : observed) {
+    least = std::min(least, distance_to(Segment{p, p}, obstacle.shape).distance);
+  }
+  return least;
 }
 
 /// Whether all numbers of a moving obstacle are such that distances to it can be computed.
