@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "../examples/drive/global_planner.hpp"
-#include "../examples/drive/simulator.hpp"
+#include "../examples/drive/simulate.hpp"
 #include "program.hpp"
 #include "tutavia/core/random.hpp"
 #include "tutavia/io/moving_ai.hpp"
@@ -71,37 +70,19 @@ Point free_point(const S& space, const Box& box, Random& random, double clearanc
 }
 
 template <class S, Controller C>
-DriveResult simulate(const S& space, C controller, const Curve& path, const Arguments& args,
-                     std::uint64_t seed, GlobalPlanner<S>& planner) {
+DriveResult drive(const S& space, C controller, const Curve& path, const Arguments& args,
+                  std::uint64_t seed, GlobalPlanner<S>& planner) {
   Random random(seed + 77);
   const ControlOptions control = control_options(args);
   Encounters encounters({.count = args.obstacles, .seed = seed});
-  const SimulationOptions options{.limits = control.limits,
-                                  .period = control.period,
-                                  .latency = control.latency,
-                                  .position_error = control.position_error,
-                                  .heading_error = control.heading_error,
+  const SimulationOptions options{.control = control,
                                   .time_limit = 600 + 4 * path.length() / control.limits.max_speed,
                                   .patience = 90,
                                   .seed = seed};
-  const auto replan = [&](const Pose& odometry, std::span<const MovingObstacle> observed) {
-    auto found = planner.plan(odometry.position, path.end(), observed);
-    if (!found) return Expected<Curve, Failure>(std::move(found).unexpected());
-    return Expected<Curve, Failure>(std::move(found->curve));
-  };
-  Simulator simulator(space, controller, encounters, options, replan);
-  DriveResult result = simulator.run({path.start(), random.uniform(-3, 3)}, path);
-  if (result.ending == Ending::reached) return result;
-  std::vector<MovingObstacle> standing;
-  for (const Encounter& e : encounters.all()) {
-    if (e.stays()) standing.push_back(e.obstacle);
-  }
   // The robot needs the odometry's errors as room, see MotionGate.
-  const double margin =
-      value_or_throw(LocalPlanner<S>::build(space, {.control = control})).demanded_clearance() -
-      space.safety_radius();
-  result.is_connected = is_connected(space, result.end.position, path.end(), standing, margin);
-  return result;
+  const double margin = demanded_clearance(space.safety_radius(), control) - space.safety_radius();
+  return simulate(space, controller, planner, encounters, {path.start(), random.uniform(-3, 3)},
+                  path, options, margin);
 }
 
 /// A run between random points of a map.
@@ -120,13 +101,11 @@ Run run_once(const S& space, const Arguments& args, std::uint64_t seed) {
     run.exists = true;
     const ControlOptions control = control_options(args);
     if (args.controller == "band") {
-      run.result =
-          simulate(space, value_or_throw(LocalPlanner<S>::build(space, {.control = control})),
-                   path->curve, args, seed, planner);
+      run.result = drive(space, value_or_throw(LocalPlanner<S>::build(space, {.control = control})),
+                         path->curve, args, seed, planner);
     } else {
-      run.result =
-          simulate(space, value_or_throw(PathFollower<S>::build(space, {.control = control})),
-                   path->curve, args, seed, planner);
+      run.result = drive(space, value_or_throw(PathFollower<S>::build(space, {.control = control})),
+                         path->curve, args, seed, planner);
     }
   }
   return run;

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "../../examples/drive/encounters.hpp"
+#include "../../examples/drive/global_planner.hpp"
 #include "../../examples/drive/simulator.hpp"
-#include "../../examples/plan/blocked_boxes.hpp"
 #include "support/paper_maps.hpp"
 #include "tutavia/io/text/svg_legend.hpp"
 #include "tutavia/io/text/svg_map.hpp"
@@ -95,15 +95,9 @@ class BandPicture {
       : scene_(scene),
         trace_(drive.result.trace),
         bands_(drive.bands),
-        map_{.bounds = scene.space.bounds(), .safety_radius = scene.space.safety_radius()},
+        map_(drive_program::workspace_of(scene.space)),
         scale_(width / map_.bounds.width()),
-        paths_{map_.bounds, scale_, {margin, margin}, false} {
-    for (const Box& b : plan_program::blocked_boxes(scene.space.cells(), scene.space.corner({0, 0}),
-                                                    scene.space.frame().resolution)) {
-      map_.obstacles.emplace_back(
-          Polygon{{b.min, {b.max.x(), b.min.y()}, b.max, {b.min.x(), b.max.y()}}});
-    }
-  }
+        paths_{map_.bounds, scale_, {margin, margin}, false} {}
 
   std::string draw() {
     SvgMap map(svg_, map_, paths_);

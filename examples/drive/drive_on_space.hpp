@@ -8,7 +8,7 @@
 
 #include "../plan/usage_error.hpp"
 #include "drive.hpp"
-#include "simulator.hpp"
+#include "simulate.hpp"
 #include "tutavia/motion/local_planner.hpp"
 #include "tutavia/motion/path_follower.hpp"
 #include "tutavia/search/query_checks.hpp"
@@ -27,43 +27,10 @@ inline ControlOptions control_options(const Arguments& args) {
 inline SimulationOptions simulation_options(const Arguments& args, double path_length) {
   const ControlOptions control = control_options(args);
   const double time = 300 + 4 * path_length / control.limits.max_speed;
-  return {.limits = control.limits,
-          .period = control.period,
-          .latency = control.latency,
-          .position_error = control.position_error,
-          .heading_error = control.heading_error,
+  return {.control = control,
           .time_limit = args.time_limit.value_or(time),
           .seed = args.seed,
           .keeps_trace = true};
-}
-
-/// Whether what stays for good leaves a way to the goal.
-template <class S>
-std::optional<bool> is_connected_at_end(const S& space, const Drive& drive, const Point& goal) {
-  std::vector<MovingObstacle> standing;
-  for (const Encounter& e : drive.encounters) {
-    if (e.stays()) standing.push_back(e.obstacle);
-  }
-  return is_connected(space, drive.result.end.position, goal, standing);
-}
-
-template <class S, Controller C>
-void simulate(const S& space, C controller, const Pose& start, const Arguments& args,
-              GlobalPlanner<S>& planner, const Progress& progress, Drive& drive) {
-  const Point goal = drive.path.curve.end();
-  Encounters encounters({.count = args.obstacles, .seed = args.seed});
-  const auto replan = [&](const Pose& odometry, std::span<const MovingObstacle> observed) {
-    auto path = planner.plan(odometry.position, goal, observed);
-    if (!path) return Expected<Curve, Failure>(std::move(path).unexpected());
-    return Expected<Curve, Failure>(std::move(path->curve));
-  };
-  Simulator simulator(space, controller, encounters,
-                      simulation_options(args, drive.path.curve.length()), replan);
-  drive.result = simulator.run(start, drive.path.curve, progress);
-  drive.encounters = encounters.all();
-  if (drive.result.ending != Ending::reached) {
-    drive.result.is_connected = is_connected_at_end(space, drive, goal);
-  }
 }
 
 }  // namespace detail
@@ -83,15 +50,19 @@ Expected<Drive, Failure> drive_on(const S& space, const plan_program::Task& task
   if (!path) return std::move(path).unexpected();
   Drive drive{.path = std::move(*path)};
   const double heading = args.heading ? *args.heading - frame.yaw() : drive.path.curve.heading(0);
-  const auto run = [&](auto controller) {
-    detail::simulate(space, plan_program::value_or_throw(std::move(controller)), {start, heading},
-                     args, planner, progress, drive);
+  Encounters encounters({.count = args.obstacles, .seed = args.seed});
+  const auto run = [&](auto built) {
+    auto controller = plan_program::value_or_throw(std::move(built));
+    const SimulationOptions options = detail::simulation_options(args, drive.path.curve.length());
+    drive.result = simulate(space, controller, planner, encounters, {start, heading},
+                            drive.path.curve, options, 0, progress);
   };
   if (args.controller == ControllerKind::band) {
     run(LocalPlanner<S>::build(space, {.control = control}));
   } else {
     run(PathFollower<S>::build(space, {.control = control}));
   }
+  drive.encounters = encounters.all();
   return drive;
 }
 

@@ -17,6 +17,7 @@
 #include "encounters.hpp"
 #include "odometry_noise.hpp"
 #include "tutavia/core/expected.hpp"
+#include "tutavia/motion/control_options.hpp"
 #include "tutavia/motion/differential_drive.hpp"
 #include "tutavia/motion/drive_command.hpp"
 #include "tutavia/plan/failure.hpp"
@@ -36,13 +37,9 @@ concept Controller = requires(C& controller, Curve path, const Pose& odometry,
   { controller.step(odometry, observed) } -> std::same_as<DriveCommand>;
 };
 
-/// Options of a simulation. What the controller has to know of it, it must be given itself.
+/// Options of a simulation.
 struct SimulationOptions {
-  DriveLimits limits{};
-  double period = 0.1;           ///< between two commands [s]
-  double latency = 0;            ///< until a command takes effect [s]
-  double position_error = 0;     ///< bound on the odometry's error of position [m]
-  double heading_error = 0;      ///< and of heading [rad]
+  ControlOptions control{};      ///< of the robot; the controller must be given the same
   double goal_tolerance = 0.15;  ///< from the goal, the odometry's error aside [m]
   double time_limit = 600;       ///< [s]
   double patience = 30;          ///< standing for longer than this ends the drive [s]
@@ -75,7 +72,7 @@ class Simulator {
         encounters_(encounters),
         options_(options),
         replan_(std::move(replan)),
-        noise_(options.position_error, options.heading_error, options.seed) {}
+        noise_(options.control.position_error, options.control.heading_error, options.seed) {}
 
   /// Drives from a pose at standstill, until the robot arrives or gives up, or the time is over.
   DriveResult run(const Pose& start, Curve path, const Progress& progress = {}) {
@@ -96,7 +93,7 @@ class Simulator {
   }
 
   /// The time of the simulation [s].
-  double now() const { return static_cast<double>(periods_) * options_.period; }
+  double now() const { return static_cast<double>(periods_) * options_.control.period; }
 
  private:
   /// A command, and when it takes effect [s].
@@ -136,9 +133,9 @@ class Simulator {
     const DriveCommand command = controller_.step(odometry, observed_);
     check_limits(command.twist);
     if (command.status == DriveStatus::emergency) ++result_.emergencies;
-    pending_.push_back({now() + options_.latency, command.twist});
+    pending_.push_back({now() + options_.control.latency, command.twist});
     const TraceRow row{now(), pose_, twist_, 0, command.status};
-    const double clearance = drive_until(now() + options_.period);
+    const double clearance = drive_until(now() + options_.control.period);
     if (options_.keeps_trace) {
       result_.trace.push_back(row);
       result_.trace.back().twist = twist_;
@@ -150,9 +147,9 @@ class Simulator {
 
   /// Counts a command that the robot's limits do not allow after the one before it.
   void check_limits(const Twist& twist) {
-    const DriveLimits& limits = options_.limits;
-    const double step = limits.max_acceleration * options_.period + rounding;
-    const double turn = limits.max_angular_acceleration * options_.period + rounding;
+    const DriveLimits& limits = options_.control.limits;
+    const double step = limits.max_acceleration * options_.control.period + rounding;
+    const double turn = limits.max_angular_acceleration * options_.control.period + rounding;
     const bool is_allowed = twist.v <= limits.max_speed + rounding &&
                             twist.v >= -limits.max_backward_speed - rounding &&
                             std::abs(twist.omega) <= limits.max_angular_speed + rounding &&
@@ -207,8 +204,8 @@ class Simulator {
   bool leaves_bounds(const Motion& motion) const {
     // The odometry's pose keeps to the bounds. Its heading is off for less than a metre until the
     // robot stands.
-    const Box allowed =
-        map_.bounds().inflated(rounding + options_.position_error + options_.heading_error);
+    const Box allowed = map_.bounds().inflated(rounding + options_.control.position_error +
+                                               options_.control.heading_error);
     return !path_of(motion.from, motion.twist, motion.duration).visit([&](const auto& piece) {
       return allowed.contains(piece.box());
     });
@@ -243,7 +240,8 @@ class Simulator {
     }
     if (command.status == DriveStatus::arrived) {
       const double off = distance(pose_.position, goal_);
-      if (off <= options_.goal_tolerance + options_.position_error) return end(Ending::reached, {});
+      if (off <= options_.goal_tolerance + options_.control.position_error)
+        return end(Ending::reached, {});
       return end(Ending::stopped, "arrived " + std::to_string(off) + " m from the goal");
     }
     const double standing = now() - stands_since_;

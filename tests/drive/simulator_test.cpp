@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../examples/drive/global_planner.hpp"
+#include "../../examples/drive/simulate.hpp"
 #include "support/catch.hpp"
 #include "support/scale.hpp"
 #include "tutavia/motion/path_follower.hpp"
@@ -110,7 +110,7 @@ TEST_CASE("a command takes effect after the latency, which need not be whole per
   for (const double latency : {0.0, 0.04, 0.1, 0.25}) {
     CAPTURE(latency);
     const DriveResult result = blind_drive({.twist = {0.05, 0}}, {}, simulated_room(),
-                                           {.latency = latency, .time_limit = 2});
+                                           {.control = {.latency = latency}, .time_limit = 2});
     CHECK(result.length == Approx(0.05 * (2 - latency)));
     CHECK(result.end.position.x() == Approx(1 + result.length));
   }
@@ -143,26 +143,8 @@ DriveResult simulated_drive(const LatticeSpace& space, const Scene& scene, std::
   const ControlOptions control{.latency = latency, .position_error = noise, .heading_error = noise};
   auto follower = PathFollower<LatticeSpace>::build(space, {.control = control}).value();
   Encounters encounters({.count = 8, .seed = seed});
-  const auto replan = [&](const Pose& odometry, std::span<const MovingObstacle> observed) {
-    auto found = planner.plan(odometry.position, goal, observed);
-    return found ? Expected<Curve, Failure>(std::move(found->curve))
-                 : Expected<Curve, Failure>(std::move(found).unexpected());
-  };
-  Simulator simulator(space, follower, encounters,
-                      {.latency = latency,
-                       .position_error = noise,
-                       .heading_error = noise,
-                       .seed = seed,
-                       .keeps_trace = true},
-                      replan);
-  DriveResult result = simulator.run({scene.start, path.heading(0)}, path);
-  if (result.ending == Ending::reached) return result;
-  std::vector<MovingObstacle> standing;
-  for (const Encounter& e : encounters.all()) {
-    if (e.stays()) standing.push_back(e.obstacle);
-  }
-  result.is_connected = is_connected(space, result.end.position, goal, standing);
-  return result;
+  return simulate(space, follower, planner, encounters, {scene.start, path.heading(0)}, path,
+                  {.control = control, .seed = seed, .keeps_trace = true});
 }
 
 TEST_CASE("a path follower has no contact of its own, whatever appears", "[soak]") {
