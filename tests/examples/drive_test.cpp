@@ -2,69 +2,34 @@
 /// \file
 /// The command line of tutavia-drive, run as a user runs it.
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/program_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-struct DriveOutcome {
-  int code = -1;
-  std::string out, err;
-};
-
-std::string text_of_file(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 bool text_has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// A folder of its own for one test.
-class DriveFolder {
- public:
-  DriveFolder()
-      : path_(fs::temp_directory_path() / ("tutavia_drive_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~DriveFolder() { fs::remove_all(path_); }
-  DriveFolder(const DriveFolder&) = delete;
-  DriveFolder& operator=(const DriveFolder&) = delete;
-
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-
-  DriveOutcome run(const std::string& arguments) const {
-    const std::string command = "cd " + path_.string() + " && " TUTAVIA_DRIVE " " + arguments +
-                                " > out.txt 2> err.txt < /dev/null";
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), text_of_file(path_ / "out.txt"), text_of_file(path_ / "err.txt")};
-  }
-
- private:
-  fs::path path_;
+struct DriveFolder : tutavia::test::ProgramFolder {
+  DriveFolder() : ProgramFolder("tutavia_drive", TUTAVIA_DRIVE) {}
 };
 
 /// The lines of a CSV file, split into fields.
 std::vector<std::vector<std::string>> csv_rows(const fs::path& path) {
   std::vector<std::vector<std::string>> rows;
-  std::istringstream text(text_of_file(path));
+  std::istringstream text(tutavia::test::file_text(path));
   for (std::string line; std::getline(text, line);) {
     std::vector<std::string> fields;
     std::istringstream stream(line);
@@ -120,7 +85,7 @@ TEST_CASE("tutavia-drive drives both controllers to the goal, without a contact 
   const DriveFolder folder;
   for (const std::string controller : {"band", "pursuit"}) {
     CAPTURE(controller);
-    const DriveOutcome outcome =
+    const tutavia::test::Outcome outcome =
         folder.run("--map complex --obstacles 3 --seed 2 --controller " + controller);
     CHECK(outcome.code == 0);
     CHECK(outcome.err.empty());
@@ -138,8 +103,8 @@ TEST_CASE("the CSV of a drive has a line per period, from the start to the goal"
   REQUIRE(folder.run("--map complex --start 2,1,90 --obstacles 2 --csv a.csv").code == 0);
   const auto rows = csv_rows(folder / "a.csv");
   REQUIRE(rows.size() > 100);
-  CHECK(text_of_file(folder / "a.csv").rfind("time,x,y,heading,v,omega,clearance,status\n", 0) ==
-        0);
+  CHECK(tutavia::test::file_text(folder / "a.csv")
+            .rfind("time,x,y,heading,v,omega,clearance,status\n", 0) == 0);
   for (std::size_t i = 1; i < rows.size(); ++i) {
     REQUIRE(rows[i].size() == 8);
     CHECK(std::stod(rows[i][0]) == Approx(0.1 * static_cast<double>(i - 1)));
@@ -151,13 +116,13 @@ TEST_CASE("the CSV of a drive has a line per period, from the start to the goal"
   CHECK(rows.back()[7] == "arrived");
   CHECK(std::hypot(std::stod(rows.back()[1]) - 11, std::stod(rows.back()[2]) - 6) < 0.15);
   REQUIRE(folder.run("--map complex --start 2,1,90 --obstacles 2 --csv b.csv").code == 0);
-  CHECK(text_of_file(folder / "a.csv") == text_of_file(folder / "b.csv"));
+  CHECK(tutavia::test::file_text(folder / "a.csv") == tutavia::test::file_text(folder / "b.csv"));
 }
 
 TEST_CASE("the picture of a drive is well-formed, and its animations are") {
   const DriveFolder folder;
   REQUIRE(folder.run("--map complex --obstacles 4 --noise 0.01 --svg a.svg").code == 0);
-  const std::string svg = text_of_file(folder / "a.svg");
+  const std::string svg = tutavia::test::file_text(folder / "a.svg");
   CHECK(is_well_formed(svg));
   CHECK(has_valid_times(svg));
   CHECK(text_has(svg, "repeatCount=\"indefinite\""));
@@ -172,21 +137,21 @@ TEST_CASE("tutavia-drive drives on workspace files and on grid maps") {
   CHECK(folder.run("--workspace room.json --start 1,2 --goal 7,2").code == 0);
   std::ofstream(folder / "room.map") << "type octile\nheight 4\nwidth 8\nmap\n"
                                      << "........\n....@...\n....@...\n........\n";
-  const DriveOutcome cells = folder.run(
+  const tutavia::test::Outcome cells = folder.run(
       "--grid room.map --radius 0.3 --start 1.5,1.5 --goal 6.5,1.5 --controller pursuit --svg "
       "a.svg");
   CHECK(cells.code == 0);
-  CHECK(is_well_formed(text_of_file(folder / "a.svg")));
+  CHECK(is_well_formed(tutavia::test::file_text(folder / "a.svg")));
 }
 
 TEST_CASE("tutavia-drive says with code 1 that there is no path, or that the robot had to stop") {
   const DriveFolder folder;
-  const DriveOutcome blocked = folder.run("--map maze --goal 0.5,2");
+  const tutavia::test::Outcome blocked = folder.run("--map maze --goal 0.5,2");
   CHECK(blocked.code == 1);
   CHECK(text_has(blocked.out, "no path: goal_blocked"));
   CHECK(text_has(folder.run("--map maze --start 0.5,2").out, "no path: start_blocked"));
   CHECK(text_has(folder.run("--map maze --start -1,1").out, "no path: start_out_of_bounds"));
-  const DriveOutcome late = folder.run("--map maze --time-limit 3");
+  const tutavia::test::Outcome late = folder.run("--map maze --time-limit 3");
   CHECK(late.code == 1);
   CHECK(text_has(late.out, "result         timed out"));
   CHECK(text_has(late.out, "way to goal    left open"));
@@ -196,7 +161,7 @@ TEST_CASE("tutavia-drive answers bad usage with code 2 and one line") {
   const DriveFolder folder;
   const auto refuses = [&](const std::string& arguments, const std::string& message) {
     CAPTURE(arguments);
-    const DriveOutcome outcome = folder.run(arguments);
+    const tutavia::test::Outcome outcome = folder.run(arguments);
     CHECK(outcome.code == 2);
     CHECK(outcome.out.empty());
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
@@ -217,7 +182,7 @@ TEST_CASE("tutavia-drive answers bad usage with code 2 and one line") {
 
 TEST_CASE("tutavia-drive --help names its options") {
   const DriveFolder folder;
-  const DriveOutcome outcome = folder.run("--help");
+  const tutavia::test::Outcome outcome = folder.run("--help");
   CHECK(outcome.code == 0);
   for (const char* option :
        {"--map", "--grid", "--controller", "--obstacles", "--noise", "--csv"}) {

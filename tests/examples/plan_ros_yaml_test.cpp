@@ -2,17 +2,10 @@
 /// \file
 /// tutavia-plan on ROS maps, run as a user runs it.
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -20,56 +13,28 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/program_folder.hpp"
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/io/ros_map.hpp"
 
 namespace {
 
 using namespace tutavia;
-namespace fs = std::filesystem;
 using nlohmann::json;
 
-struct RosOutcome {
-  int code = -1;
-  std::string out, err;
-};
+using test::Outcome;
 
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
+/// A folder with maps in it.
+struct RosFolder : test::ProgramFolder {
+  RosFolder() : ProgramFolder("tutavia_ros", TUTAVIA_PLAN) {}
 
-/// A folder of its own for one test, with maps in it.
-class RosFolder {
- public:
-  RosFolder() : path_(fs::temp_directory_path() / ("tutavia_ros_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~RosFolder() { fs::remove_all(path_); }
-  RosFolder(const RosFolder&) = delete;
-  RosFolder& operator=(const RosFolder&) = delete;
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-  }
-  std::string read(const std::string& name) const { return content_of(path_ / name); }
-  RosOutcome run(const std::string& arguments) const {
-    const std::string command = "cd " + path_.string() + " && " TUTAVIA_PLAN " " + arguments +
-                                " > stdout 2> stderr < /dev/null";
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), read("stdout"), read("stderr")};
-  }
   /// The results of a run that has to succeed.
   json results_of(const std::string& arguments) const {
-    const RosOutcome outcome = run(arguments + " --json r.json");
+    const Outcome outcome = run(arguments + " --json r.json");
     INFO(arguments << ": " << outcome.err);
     REQUIRE(outcome.code == 0);
     return json::parse(read("r.json"));
   }
-
- private:
-  fs::path path_;
 };
 
 bool has_part(const std::string& text, const std::string& part) {
@@ -181,7 +146,7 @@ TEST_CASE("tables, pictures, traces and failures of a turned ROS map are in its 
   folder.write("turned.yaml", yaml_of("room.pgm", "[10, 20, 1.5707963267948966]"));
   // A quarter turn: x of the grid is y of the map, and y of the grid is -x of the map.
   const std::string task = "--grid turned.yaml --start 9.8,20.3 --goal 8.7,21.7 ";
-  const RosOutcome shown =
+  const Outcome shown =
       folder.run(task +
                  "--search rea_star --buffer 1 --svg p.svg --show visited,passages,profile "
                  "--trace t.jsonl");
@@ -203,10 +168,10 @@ TEST_CASE("tables, pictures, traces and failures of a turned ROS map are in its 
     }
   }
   CHECK(rectangles > 0);
-  const RosOutcome outside = folder.run("--grid turned.yaml --start 10.2,20.3 --goal 8.7,21.7");
+  const Outcome outside = folder.run("--grid turned.yaml --start 10.2,20.3 --goal 8.7,21.7");
   CHECK(outside.code == 1);
   CHECK(has_part(outside.out, "start (10.2, 20.3) lies outside the bounds"));
-  const RosOutcome blocked =
+  const Outcome blocked =
       folder.run("--grid turned.yaml --start 9.99,20.3 --goal 8.7,21.7 --radius 0.1 --json r.json");
   CHECK(blocked.code == 1);
   const json result = json::parse(folder.read("r.json"))["results"][0];
@@ -271,7 +236,7 @@ TEST_CASE("unknown cells of a ROS map are blocked, free, or cost a multiple of t
     CHECK(length(search + " --unknown cost:3.1") == Approx(16));
     CHECK(length(search + " --unknown cost:8.96") == Approx(16));
   }
-  const RosOutcome smoothed =
+  const Outcome smoothed =
       folder.run("--grid a.yaml --start 0.5,0.5 --goal 6.5,0.5 --unknown cost:5");
   CHECK(smoothed.code == 0);
   CHECK(has_part(smoothed.err, "smoothers know no costs, and delta may lead through unknown"));
@@ -282,14 +247,14 @@ TEST_CASE("what is wrong with a ROS map is one line that names the option that h
   folder.write("a.pgm", "P2 3 2 255 254 0 254 254 205 254\n");
   folder.write("a.yaml", yaml_of("a.pgm", "[-1, 2, 0]"));
   const std::string task = "--grid a.yaml --start=-0.975,2.025 --goal=-0.875,2.025 ";
-  const RosOutcome blocked = folder.run(task);
+  const Outcome blocked = folder.run(task);
   CHECK(blocked.code == 1);
   CHECK(blocked.err ==
         "tutavia-plan: a.yaml: 1 unknown cells are blocked; --unknown free or cost:N "
         "lets paths cross them\n");
   CHECK(folder.run(task + "--unknown free").code == 0);
   folder.write("free.yaml", "image: a.pgm\nresolution: 0.05\norigin: [-1, 2, 0]\n");
-  const RosOutcome wide = folder.run("--grid free.yaml --start=-0.975,2.025 --goal=-0.875,2.025");
+  const Outcome wide = folder.run("--grid free.yaml --start=-0.975,2.025 --goal=-0.875,2.025");
   CHECK(wide.code == 0);
   CHECK(has_part(wide.err, "tutavia-plan: free.yaml: the key free_thresh is missing: 0.25 is"));
   CHECK(has_part(wide.err, "grey 205, which map_saver writes for unknown cells, counts as free"));
@@ -311,7 +276,7 @@ TEST_CASE("what is wrong with a ROS map is one line that names the option that h
             "--unknown cost:2: --compare runs searches that take no costs"},
            {"--map maze --unknown free", "--unknown is for ROS maps (--grid FILE.yaml)"}}) {
     CAPTURE(arguments);
-    const RosOutcome refused = folder.run(arguments + " --start 0,0 --goal 1,1");
+    const Outcome refused = folder.run(arguments + " --start 0,0 --goal 1,1");
     CHECK(refused.code == 2);
     CHECK(refused.err == "tutavia-plan: " + message + "\n");
   }

@@ -2,15 +2,9 @@
 /// \file
 /// The command line of tutavia-plan, run as a user runs it.
 
-#include <sys/wait.h>
-#include <unistd.h>
-#include <cmath>
-
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -20,56 +14,18 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/program_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
+using tutavia::test::Outcome;
 
-std::string read(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
+std::string read(const fs::path& path) { return tutavia::test::file_text(path); }
 
-/// A folder of its own for one test.
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("tutavia_plan_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  std::size_t files() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-    return path_ / name;
-  }
-
-  Outcome run(const std::string& arguments) const {
-    const std::string command = "cd " + path_.string() + " && " TUTAVIA_PLAN " " + arguments +
-                                " > ../" + path_.filename().string() + ".out 2> ../" +
-                                path_.filename().string() + ".err < /dev/null";
-    const int status = std::system(command.c_str());
-    const fs::path out = path_.string() + ".out", err = path_.string() + ".err";
-    Outcome outcome{WEXITSTATUS(status), read(out), read(err)};
-    fs::remove(out);
-    fs::remove(err);
-    return outcome;
-  }
-
- private:
-  fs::path path_;
+struct Folder : tutavia::test::ProgramFolder {
+  Folder() : ProgramFolder("tutavia_plan", TUTAVIA_PLAN) {}
 };
 
 bool contains(const std::string& text, const std::string& part) {
