@@ -101,12 +101,8 @@ class BandPicture {
 
   std::string draw() {
     SvgMap map(svg_, map_, paths_);
-    svg_.raw("<clipPath id=\"bounds\">");
-    map.frame("");
-    svg_.raw("</clipPath>\n");
-    map.frame("fill=\"#f7f9fb\"");
-    svg_.raw("<g clip-path=\"url(#bounds)\">\n");
-    map.around_obstacles(robot_radius, "#f6d9b8", "");
+    map.begin();
+    map.safety_zones(robot_radius);
     map.obstacles();
     const Point at = paths_.pixel(scene_.obstacle.center);
     svg_.circle(at, (obstacle_radius + robot_radius) * scale_, SvgStyle::zone);
@@ -115,8 +111,7 @@ class BandPicture {
     svg_.stroke(paths_.of_curve(scene_.path), path_style);
     driven_path();
     for (const Band& band : bands_) show(band, &band == bands_.data() ? first_band : later_bands);
-    svg_.raw("</g>\n");
-    map.frame("fill=\"none\" stroke=\"#33414e\" stroke-width=\"1.5\"");
+    map.end();
     tutavia::detail::start_symbol(svg_, paths_.pixel(scene_.path.start()));
     tutavia::detail::goal_symbol(svg_, paths_.pixel(scene_.path.end()), colour);
     return svg_.finish(width + 2 * margin, legend());

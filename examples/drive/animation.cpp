@@ -189,15 +189,10 @@ class Animation {
 
   void draw_map() {
     SvgMap map(svg_, map_, paths_);
-    svg_.raw("<clipPath id=\"bounds\">");
-    map.frame("");
-    svg_.raw("</clipPath>\n");
-    map.frame("fill=\"#f7f9fb\"");
-    svg_.raw("<g clip-path=\"url(#bounds)\">\n");
-    map.around_obstacles(map_.safety_radius, "#f6d9b8", "");
+    map.begin();
+    map.safety_zones(map_.safety_radius);
     map.obstacles();
-    svg_.raw("</g>\n");
-    map.frame("fill=\"none\" stroke=\"#33414e\" stroke-width=\"1.5\"");
+    map.end();
   }
 
   /// Each path is shown while it is followed; without animation, the first one.

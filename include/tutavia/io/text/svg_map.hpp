@@ -25,11 +25,18 @@ class SvgMap {
   SvgMap(SvgWriter& svg, const Workspace& workspace, const SvgPaths& paths)
       : svg_(svg), workspace_(workspace), paths_(paths) {}
 
-  /// The bounds.
-  void frame(std::string_view style) {
-    svg_.rect(paths_.offset,
-              {workspace_.bounds.width() * paths_.scale, workspace_.bounds.height() * paths_.scale},
-              style);
+  /// Draws the floor. What follows is cut off at the bounds, until `end`.
+  void begin() {
+    svg_.raw("<clipPath id=\"bounds\">");
+    frame("");
+    svg_.raw("</clipPath>\n");
+    frame("fill=\"#f7f9fb\"");
+    svg_.raw("<g clip-path=\"url(#bounds)\">\n");
+  }
+  /// Draws the border.
+  void end() {
+    svg_.raw("</g>\n");
+    frame("fill=\"none\" stroke=\"#33414e\" stroke-width=\"1.5\"");
   }
 
   void visited(const std::vector<Point>& nodes, double cell_size) {
@@ -57,6 +64,7 @@ class SvgMap {
     shapes(reach);
     svg_.raw("</g>\n");
   }
+  void safety_zones(double radius) { around_obstacles(radius, "#f6d9b8", ""); }
   void obstacles() {
     svg_.raw("<g fill=\"#4a5763\" stroke=\"#4a5763\" stroke-width=\"1\">\n");
     shapes(0);
@@ -100,6 +108,13 @@ class SvgMap {
   }
 
  private:
+  /// The bounds.
+  void frame(std::string_view style) {
+    svg_.rect(paths_.offset,
+              {workspace_.bounds.width() * paths_.scale, workspace_.bounds.height() * paths_.scale},
+              style);
+  }
+
   void shapes(double reach) {
     for (const Obstacle& obstacle : workspace_.obstacles) {
       if (const Disc* disc = std::get_if<Disc>(&obstacle)) {

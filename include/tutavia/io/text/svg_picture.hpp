@@ -65,11 +65,7 @@ class SvgPicture {
 
   void map(const SvgPaths& paths) {
     SvgMap map(svg_, workspace_, paths);
-    svg_.raw("<clipPath id=\"bounds\">");
-    map.frame("");
-    svg_.raw("</clipPath>\n");
-    map.frame("fill=\"#f7f9fb\"");
-    svg_.raw("<g clip-path=\"url(#bounds)\">\n");
+    map.begin();
     areas(map);
     map.boxes(whole_cells(options_.rectangles), SvgStyle::forward_rectangle);
     map.boxes(whole_cells(options_.goal_rectangles), SvgStyle::backward_rectangle);
@@ -86,8 +82,7 @@ class SvgPicture {
       for (const Plan& plan : plans_) map.dots(waypoints(plan.route.curve), 4, SvgStyle::path_node);
     }
     for (const Point& corner : options_.critical_corners) cross_symbol(svg_, paths.pixel(corner));
-    svg_.raw("</g>\n");
-    map.frame("fill=\"none\" stroke=\"#33414e\" stroke-width=\"1.5\"");
+    map.end();
     ends(paths);
   }
 
@@ -108,8 +103,7 @@ class SvgPicture {
       map.around_obstacles(workspace_.safety_radius + width, "#b4bbc2", " opacity=\"0.6\"");
     }
     map.boxes(options_.buffer, SvgStyle::buffer);
-    if (options_.zones && workspace_.safety_radius > 0)
-      map.around_obstacles(workspace_.safety_radius, "#f6d9b8", "");
+    if (options_.zones && workspace_.safety_radius > 0) map.safety_zones(workspace_.safety_radius);
     map.obstacles();
   }
 
