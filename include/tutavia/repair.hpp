@@ -16,6 +16,7 @@
 #include "tutavia/certify/piece_proof.hpp"
 #include "tutavia/certify/revalidate.hpp"
 #include "tutavia/planner.hpp"
+#include "tutavia/smooth/route/curve_side.hpp"
 #include "tutavia/smooth/taut_string.hpp"
 
 /// \file
@@ -66,95 +67,6 @@ namespace detail {
 /// Turns up to this much between two pieces count as smooth [rad].
 inline constexpr double smooth_turn = 1e-7;
 
-/// Where a new part leaves the earlier curve, seen from one of its ends.
-struct RepairAnchor {
-  std::size_t kept = 0;  ///< number of whole pieces between that end and `stub`
-  /// The straight end of what stays, which leads to `point`; not there at the end of the curve.
-  std::optional<Segment> stub{};
-  Point point = Point::Zero();
-};
-
-/// A curve seen from one of its ends: piece 0 is the nearest to it.
-class CurveSide {
- public:
-  CurveSide(const Curve& curve, bool from_goal) : curve_(curve), from_goal_(from_goal) {}
-
-  Point start() const { return from_goal_ ? curve_.end() : curve_.start(); }
-  /// The piece as a segment that leads away from that end, if it is one and not a point.
-  std::optional<Segment> segment(std::size_t k) const {
-    const auto& pieces = curve_.pieces();
-    const Segment* found = pieces[from_goal_ ? pieces.size() - 1 - k : k].get_if<Segment>();
-    if (found == nullptr || found->a == found->b) return std::nullopt;
-    return from_goal_ ? found->reversed() : *found;
-  }
-
-  /// A point before piece `failed`, with `spare` or more bends between it and the first straight
-  /// piece that has to change. On a polyline it is a waypoint, else the middle of a straight piece.
-  /// If there is none, it is the end of the curve.
-  RepairAnchor anchor(std::size_t failed, std::size_t spare, bool is_polyline) const {
-    std::size_t straight = 0;
-    for (std::size_t k = is_polyline ? failed : failed + 1; k-- > 0;) {
-      const auto line = segment(k);
-      if (!line || straight++ < spare) continue;
-      const Point point = is_polyline ? line->b : line->point(0.5);
-      return {k, Segment{line->a, point}, point};
-    }
-    return {0, std::nullopt, start()};
-  }
-
-  /// Waypoints along the curve from one anchor to another that is farther from this end: the
-  /// corners in which its straight pieces would meet without the bends between them.
-  std::vector<Point> corners(const RepairAnchor& outer, const RepairAnchor& inner) const {
-    std::vector<Point> points{outer.point};
-    if (!inner.stub || inner.point == outer.point) return points;
-    bool has_before = outer.stub.has_value();
-    Segment before = outer.stub.value_or(Segment{});
-    for (std::size_t k = has_before ? outer.kept + 1 : 0; k <= inner.kept; ++k) {
-      const auto line = segment(k);
-      if (!line) continue;
-      const Point direction = before.b - before.a, next = line->b - line->a;
-      const double s = cross(line->a - before.b, next) / cross(direction, next);
-      const bool meet = has_before && s > 0 && std::isfinite(s);
-      points.push_back(meet ? Point(before.b + s * direction) : line->a);
-      before = *line;
-      has_before = true;
-    }
-    points.push_back(inner.point);
-    return points;
-  }
-
- private:
-  const Curve& curve_;
-  bool from_goal_;
-};
-
-inline bool is_polyline_curve(const Curve& curve) {
-  return std::all_of(curve.pieces().begin(), curve.pieces().end(),
-                     [](const Piece& piece) { return piece.holds<Segment>(); });
-}
-
-/// The turn between two consecutive pieces [rad].
-inline double turn_between(const Piece& before, const Piece& after) {
-  const auto end = [](const auto& piece) -> Point { return piece.end_direction(); };
-  const auto start = [](const auto& piece) -> Point { return piece.start_direction(); };
-  return std::abs(turn_angle(before.visit(end), after.visit(start)));
-}
-
-/// Makes one segment of pieces i and i + 1 if they are segments in the same direction.
-inline bool merge_straight(std::vector<Piece>& pieces, std::size_t i) {
-  const Segment *first = pieces[i].get_if<Segment>(), *second = pieces[i + 1].get_if<Segment>();
-  if (first == nullptr || second == nullptr) return false;
-  if (!(turn_between(pieces[i], pieces[i + 1]) <= 1e-12)) return false;
-  pieces[i + 1] = Segment{first->a, second->b};
-  pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
-  return true;
-}
-
-inline bool equal_segments(const Piece& a, const Piece& b) {
-  const Segment *first = a.get_if<Segment>(), *second = b.get_if<Segment>();
-  return first != nullptr && second != nullptr && first->a == second->a && first->b == second->b;
-}
-
 /// One repair: see `repair`.
 template <ClearanceSpace S, class Search, class Smooth>
 class CurveRepair {
@@ -166,7 +78,7 @@ class CurveRepair {
         old_(old),
         query_(query),
         options_(options),
-        is_polyline_(is_polyline_curve(old.curve)) {
+        is_polyline_(is_polyline(old.curve)) {
     stats_.seed = query.seed;
   }
 
@@ -432,14 +344,14 @@ class CurveRepair {
 
 /// Repairs the plan of an earlier space for the space `after`, given its revalidation there.
 ///
-/// If all pieces are proved, the plan stays as it is, with its new certificate. Else the planner
-/// searches and smooths a way around the pieces that failed, between two points of the curve that
-/// stays (middles of straight pieces; waypoints of a polyline). The way is joined to both ends
-/// without a corner where the curve was straight, and with none sharper than the earlier curve's;
-/// it turns back nowhere at the joints, and is no longer than `max_detour` allows. If that fails,
-/// the points move outwards, and in the end the planner plans anew. Curves without straight pieces
-/// and plans that avoid a risk zone are always planned anew, and so is another query than the
-/// plan's.
+/// If all pieces are proved, the plan keeps its curve and gets the new certificate. Else the
+/// planner searches and smooths a path around the pieces that failed, between two points of the
+/// curve that stays (middles of straight pieces; waypoints of a polyline). The path joins both ends
+/// without a corner where the curve was straight, and with none sharper than the earlier curve's.
+/// It does not turn back at the joints, and is no longer than `max_detour` allows. If there is no
+/// such path, the points move outwards, and in the end the planner plans anew. Curves without
+/// straight pieces and plans that avoid a risk zone are always planned anew, and so is another
+/// query than the plan's.
 ///
 /// Guarantees: the plan is proved as Planner's are, and its interval and metrics are those of the
 /// whole new curve. A part that was searched is only as short as its ends allow; and a plan that is
