@@ -229,7 +229,7 @@ TEST_CASE("jump point search takes guides of any kind") {
   const JumpArchetype space;
   detail::JumpScratchWith<detail::BinaryHeap> scratch;
   ObserverArchetype observer;
-  const detail::PlaneScanner scanner{space.grid().view(), space.stop_planes()};
+  const detail::PlaneScanner scanner(space);
   check_route(detail::jump_search(
                   space, query, scanner, [](const detail::GridQuery&) { return GuideArchetype{}; },
                   scratch, observer, [](std::vector<Cell>&) {}),

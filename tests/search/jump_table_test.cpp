@@ -40,11 +40,6 @@ int walk_diagonally(const OccupancyGrid& grid, Cell from, std::size_t step) {
   }
 }
 
-template <std::size_t Step>
-int jump(const JumpTable& table, Cell cell) {
-  return table.jump<Step>(cell);
-}
-
 /// How many jumps of every `stride`th cell of every `stride`th row the table has wrong; `compared`
 /// grows by those that were looked at.
 std::size_t count_wrong(const OccupancyGrid& grid, const JumpTable& table, std::size_t& compared,
@@ -54,13 +49,10 @@ std::size_t count_wrong(const OccupancyGrid& grid, const JumpTable& table, std::
     for (int x = 0; x < grid.width(); x += stride) {
       const Cell cell{x, y};
       if (!grid.is_free(cell)) continue;
-      const std::array<int, 8> found{
-          jump<0>(table, cell), jump<1>(table, cell), jump<2>(table, cell), jump<3>(table, cell),
-          jump<4>(table, cell), jump<5>(table, cell), jump<6>(table, cell), jump<7>(table, cell)};
       for (std::size_t step = 0; step < steps.size(); ++step) {
         const int expected = detail::is_diagonal(step) ? walk_diagonally(grid, cell, step)
                                                        : walk_straight(grid, cell, step);
-        if (found[step] != expected) ++wrong;
+        if (table.jump(grid.index(cell), step) != expected) ++wrong;
         ++compared;
       }
     }

@@ -119,10 +119,12 @@ class WithColumns : public Base {
 template <class Base>
 class WithJumps : public Base {
  public:
-  const detail::StopPlanes& stop_planes() const { return planes_; }
+  const detail::StopPlanes& stop_planes() const { return stops_; }
+  const detail::TurnPlanes& turn_planes() const { return turns_; }
 
  private:
-  detail::StopPlanes planes_{Base::grid()};
+  detail::StopPlanes stops_{Base::grid()};
+  detail::TurnPlanes turns_{Base::grid(), stops_};
 };
 
 template <class Base>

@@ -47,9 +47,7 @@ class OccupancyGrid {
       const std::size_t row = (index / 64 * reciprocal) >> reciprocal_shift;
       return {static_cast<int>(index - row * stride) - 1, static_cast<int>(row) - 1};
     }
-    bool is_free(std::size_t index) const {
-      return ((words[index / 64] >> (index % 64)) & 1u) != 0;
-    }
+    bool is_free(std::size_t index) const { return detail::bit_at(words, index); }
     /// The eight neighbours of a cell. \pre the cell lies in the grid
     TUTAVIA_ALWAYS_INLINE detail::Neighbourhood neighbourhood(std::size_t index) const {
       const auto three = [this](std::size_t from) {

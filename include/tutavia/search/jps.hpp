@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <string_view>
 
+#include "tutavia/grid/bitboard/bits.hpp"
 #include "tutavia/grid/bitboard/stop_planes.hpp"
+#include "tutavia/grid/bitboard/turn_planes.hpp"
 #include "tutavia/search/grid/corner_cutting_jumps.hpp"
 #include "tutavia/search/grid/jump_search.hpp"
 #include "tutavia/space/concepts.hpp"
@@ -17,49 +19,45 @@ namespace tutavia {
 
 namespace detail {
 
-/// Scans for jump points in the stop planes of a grid (see JumpScanner).
-struct PlaneScanner {
-  OccupancyGrid::View grid;
-  const StopPlanes& planes;
-
-  template <std::size_t Step>
-  int straight(Cell from) const {
-    return straight<Step>(planes.plane_index(from));
-  }
-  template <std::size_t Step>
-  int straight(const StopPlanes::PlaneIndex& from) const {
-    const int distance = planes.template jump<Step>(from);
-    const auto steps_on = static_cast<std::size_t>(distance);
-    const std::size_t stop = Step == 0   ? from.in_rows + steps_on
-                             : Step == 2 ? from.in_rows + steps_on * grid.stride
-                             : Step == 4 ? from.in_rows - steps_on
-                                         : from.in_rows - steps_on * grid.stride;
-    return grid.is_free(stop) ? distance : 1 - distance;
-  }
-
-  template <std::size_t Step, class Visit>
-  void diagonal(Cell from, Cell goal, Visit visit) const {
-    constexpr Cell d = steps[Step];
-    constexpr std::size_t horizontal = d.x == 1 ? 0 : 4, vertical = d.y == 1 ? 2 : 6;
-    const auto signed_offset = [](int sign, std::size_t offset) {
-      return sign == 1 ? offset : -offset;
-    };
-    const std::size_t beside_x = signed_offset(d.x, 1), beside_y = signed_offset(d.y, grid.stride);
-    const std::size_t along_columns =
-        signed_offset(d.x, planes.column_stride()) + signed_offset(d.y, 1);
-    // Numbers of steps after which the goal's row and column are reached.
-    const int at_row = (goal.y - from.y) * d.y, at_column = (goal.x - from.x) * d.x;
-    StopPlanes::PlaneIndex at = planes.plane_index(from);
-    for (int k = 1; grid.is_free(at.in_rows + beside_x) && grid.is_free(at.in_rows + beside_y) &&
-                    grid.is_free(at.in_rows + beside_x + beside_y);
-         ++k) {
-      at.in_rows += beside_x + beside_y;
-      at.in_columns += along_columns;
-      const int sideways = straight<horizontal>(at), upright = straight<vertical>(at);
-      const bool near_goal = std::abs(at_row - k) <= 1 || std::abs(at_column - k) <= 1;
-      if (sideways > 0 || upright > 0 || near_goal) visit(k, sideways, upright);
+/// Finds jump points in the planes of a grid (see JumpScanner).
+class PlaneScanner {
+ public:
+  template <JumpSpace S>
+  explicit PlaneScanner(const S& space) : grid_(space.grid().view()), places_(space.grid()) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      straight_[i] = space.stop_planes().plane(2 * i);
+      diagonal_[i] = space.turn_planes().plane(2 * i + 1);
     }
   }
+
+  Jump straight(std::size_t step, const Place& from) const {
+    const int length = straight_[step / 2].jump(from);
+    const std::size_t end =
+        from.in_rows() + static_cast<std::size_t>(length) * places_.per_step(step);
+    return {static_cast<std::uint32_t>(end), length, grid_.is_free(end)};
+  }
+
+  template <class Visit>
+  Jump diagonal(std::size_t step, Cell cell, const Place& from, Visit visit) const {
+    const TurnPlanes::Plane& plane = diagonal_[step / 2];
+    const std::size_t horizontal = horizontal_of(step), vertical = vertical_of(step);
+    const std::size_t first = plane.bit(cell);
+    for (int k = 0;;) {
+      k += plane.jump(first + static_cast<std::size_t>(k));
+      const Place at = places_.advanced(from, step, k);
+      const bool is_end = !grid_.is_free(at.in_rows()) ||
+                          !grid_.is_free(at.in_rows() - places_.per_step(horizontal)) ||
+                          !grid_.is_free(at.in_rows() - places_.per_step(vertical));
+      if (is_end) return {0, k - 1, false};
+      visit(k, straight(horizontal, at), straight(vertical, at));
+    }
+  }
+
+ private:
+  OccupancyGrid::View grid_;
+  Places places_;
+  std::array<StopPlanes::Plane, 4> straight_;
+  std::array<TurnPlanes::Plane, 4> diagonal_;
 };
 
 }  // namespace detail
@@ -90,8 +88,7 @@ struct Jps {
                                                  space.movement());
       return detail::jump_search(space, query, scanner, scratch, observer);
     }
-    const detail::PlaneScanner scanner{space.grid().view(), space.stop_planes()};
-    return detail::jump_search(space, query, scanner, scratch, observer);
+    return detail::jump_search(space, query, detail::PlaneScanner(space), scratch, observer);
   }
 };
 

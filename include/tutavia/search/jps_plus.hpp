@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
@@ -51,47 +50,38 @@ struct JpsPlus {
         table->height() != space.grid().height()) {
       return fail(PlanError::invalid_option, "jps_plus needs the table prepared for this grid");
     }
-    return detail::jump_search(space, query, TableScanner{*table}, scratch, observer);
+    return detail::jump_search(space, query, TableScanner{*table, detail::Places(space.grid())},
+                               scratch, observer);
   }
 
  private:
   struct TableScanner {
     const JumpTable& table;
+    detail::Places places;
 
-    void prefetch(Cell cell) const { tutavia::detail::prefetch(&table.row(cell)); }
+    void prefetch(std::uint32_t index) const { tutavia::detail::prefetch(&table.row(index)); }
 
-    template <std::size_t Step>
-    int straight(Cell from) const {
-      return table.jump<Step>(from);
+    detail::Jump straight(std::size_t step, std::size_t from) const {
+      const int jump = table.jump(from, step), length = std::abs(jump);
+      const std::size_t end = from + static_cast<std::size_t>(length) * places.per_step(step);
+      return {static_cast<std::uint32_t>(end), length, jump > 0};
+    }
+    detail::Jump straight(std::size_t step, const detail::Place& from) const {
+      return straight(step, from.in_rows());
     }
 
-    template <std::size_t Step, class Visit>
-    void diagonal(Cell from, Cell goal, Visit visit) const {
-      constexpr Cell d = steps[Step];
-      constexpr std::size_t horizontal = d.x == 1 ? 0 : 4, vertical = d.y == 1 ? 2 : 6;
-      const int at_row = (goal.y - from.y) * d.y, at_column = (goal.x - from.x) * d.x;
-      const auto look = [&](int k) {
-        const Cell at{from.x + k * d.x, from.y + k * d.y};
-        visit(k, table.jump<horizontal>(at), table.jump<vertical>(at));
-      };
-      int k = 0;
-      while (true) {
-        const int next = table.row({from.x + k * d.x, from.y + k * d.y})[Step];
-        const bool turns = 0 < next && next != JumpTable::far;  // jump point at the end
-        const int end = k + (next == JumpTable::far ? JumpTable::leg : std::abs(next));
-        // Cells next to `goal` may be goals too, and reachable from here although no jump point is.
-        const int first = std::min(at_row, at_column) - 1, last = std::max(at_row, at_column) + 1;
-        for (int near = std::max(k + 1, first); near <= std::min(end, last); ++near) {
-          const bool meets = std::abs(at_row - near) <= 1 || std::abs(at_column - near) <= 1;
-          if (!meets) {
-            near = std::max(at_row, at_column) - 2;  // no goal lies between the two
-          } else if (near < end || !turns) {
-            look(near);
-          }
-        }
-        if (next <= 0) return;
-        k = end;
-        if (turns) look(k);
+    template <class Visit>
+    detail::Jump diagonal(std::size_t step, Cell, const detail::Place& from, Visit visit) const {
+      std::size_t at = from.in_rows();
+      for (int k = 0;;) {
+        const int next = table.row(at)[step];
+        if (next <= 0) return {0, k - next, false};
+        const int leg = next == JumpTable::far ? JumpTable::leg : next;
+        k += leg;
+        at += static_cast<std::size_t>(leg) * places.per_step(step);
+        if (next == JumpTable::far) continue;
+        visit(k, straight(detail::horizontal_of(step), at),
+              straight(detail::vertical_of(step), at));
       }
     }
   };

@@ -57,7 +57,7 @@ struct JpsThetaStar {
         return fail(PlanError::invalid_option, "weights must lie between 0 and 10^6");
       }
     }
-    const detail::PlaneScanner scanner{space.grid().view(), space.stop_planes()};
+    const detail::PlaneScanner scanner(space);
     const auto straighten = [&](std::vector<Cell>& cells) {
       if (lines_of_sight == LineOfSight::never) return;
       detail::remove_redundant(cells, [&](Cell a, Cell b) { return space.line_of_sight(a, b); });

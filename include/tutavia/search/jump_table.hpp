@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tutavia/core/parts/bytes.hpp"
+#include "tutavia/grid/bitboard/places.hpp"
 #include "tutavia/grid/bitboard/successors.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/plan/failure.hpp"
@@ -59,16 +60,12 @@ class JumpTable {
     return width_ == grid.width() && height_ == grid.height() && grid_hash_ == hash(grid);
   }
 
-  /// \pre the cell lies in the grid
-  const Row& row(Cell cell) const {
-    return rows_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) +
-                 static_cast<std::size_t>(cell.x)];
-  }
-  /// The full jump in a direction, over all its legs. \pre the cell lies in the grid
-  template <std::size_t Step>
-  int jump(Cell from) const {
-    const int first = row(from)[Step];
-    return first != far ? first : jump_on<Step>(from);
+  /// The row of a cell by its index in the grid. \pre the cell lies in the grid
+  const Row& row(std::size_t index) const { return rows_[index]; }
+  /// The full jump from a cell in a direction, over all its legs. \pre the cell lies in the grid
+  int jump(std::size_t from, std::size_t step) const {
+    const int first = row(from)[step];
+    return first != far ? first : jump_on(from, step);
   }
 
   std::size_t memory() const { return rows_.size() * sizeof(Row); }
@@ -80,16 +77,22 @@ class JumpTable {
       : width_(grid.width()),
         height_(grid.height()),
         grid_hash_(hash(grid)),
-        rows_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
+        places_(grid),
+        rows_(grid.index_count()) {}
 
-  Row& row(Cell cell) { return const_cast<Row&>(std::as_const(*this).row(cell)); }
+  Row& row(Cell cell) { return rows_[places_.of(cell).in_rows()]; }
 
-  template <std::size_t Step>
-  int jump_on(Cell from) const {
+  int jump_on(std::size_t from, std::size_t step) const {
     for (int legs = leg;; legs += leg) {
-      const int next = row({from.x + legs * steps[Step].x, from.y + legs * steps[Step].y})[Step];
+      from += leg * places_.per_step(step);
+      const int next = row(from)[step];
       if (next != far) return next > 0 ? legs + next : next - legs;
     }
+  }
+
+  /// Of all cells' rows, in a file.
+  std::size_t byte_count() const {
+    return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * sizeof(Row);
   }
 
   static std::uint64_t hash(const OccupancyGrid& grid) {  // FNV-1a over words
@@ -100,7 +103,8 @@ class JumpTable {
 
   int width_, height_;
   std::uint64_t grid_hash_;
-  std::vector<Row> rows_;
+  detail::Places places_;
+  std::vector<Row> rows_;  // by index in the grid
 };
 
 namespace detail {
@@ -239,12 +243,16 @@ inline JumpTable JumpTable::build(const OccupancyGrid& grid, Threads threads) {
 
 inline std::string JumpTable::to_bytes() const {
   std::string bytes(detail::jump_table_magic);
-  bytes.reserve(bytes.size() + 16 + memory());
+  bytes.reserve(bytes.size() + 16 + byte_count());
   detail::append_bytes(bytes, static_cast<std::uint64_t>(width_), 4);
   detail::append_bytes(bytes, static_cast<std::uint64_t>(height_), 4);
   detail::append_bytes(bytes, grid_hash_, 8);
-  for (const Row& row : rows_) {
-    for (const std::int8_t jump : row) bytes += static_cast<char>(jump);
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      for (const std::int8_t jump : row(places_.of({x, y}).in_rows())) {
+        bytes += static_cast<char>(jump);
+      }
+    }
   }
   return bytes;
 }
@@ -262,10 +270,10 @@ inline Expected<JumpTable, Failure> JumpTable::from_bytes(std::string_view bytes
       detail::read_bytes(bytes, magic.size() + 8, 8) != table.grid_hash_) {
     return fail(PlanError::invalid_input, "the jump table was made for another grid");
   }
-  if (bytes.size() != head + table.memory()) {
-    return fail(PlanError::invalid_input, "jump table of " + std::to_string(bytes.size()) +
-                                              " bytes, " + std::to_string(head + table.memory()) +
-                                              " expected");
+  if (bytes.size() != head + table.byte_count()) {
+    return fail(PlanError::invalid_input,
+                "jump table of " + std::to_string(bytes.size()) + " bytes, " +
+                    std::to_string(head + table.byte_count()) + " expected");
   }
   std::size_t from = head;
   for (int y = 0; y < table.height_; ++y) {

@@ -72,6 +72,7 @@ class CellSpace {
   const Frame& frame() const { return layer_.frame(); }
   MovementRule movement() const { return layer_.movement(); }
   const detail::StopPlanes& stop_planes() const { return layer_.stop_planes(); }
+  const detail::TurnPlanes& turn_planes() const { return layer_.turn_planes(); }
   const OccupancyGrid& columns() const { return layer_.columns(); }
   const OccupancyGrid& corners() const { return layer_.corners(); }
   EndpointLinks links(const Point& p) const {

@@ -10,6 +10,7 @@
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/segment.hpp"
 #include "tutavia/grid/bitboard/stop_planes.hpp"
+#include "tutavia/grid/bitboard/turn_planes.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/links.hpp"
@@ -128,12 +129,13 @@ concept ColumnSpace = GridSpace<S> && requires(const S& s) {
   { s.columns() } -> std::same_as<const OccupancyGrid&>;
 };
 
-/// A grid space that stores the stop planes of its grid, in which searches find jump points.
+/// A grid space that stores the planes of its grid in which searches find jump points.
 ///
 /// A minimal model: tests/support/archetypes.hpp.
 template <class S>
 concept JumpSpace = GridSpace<S> && requires(const S& s) {
   { s.stop_planes() } -> std::same_as<const detail::StopPlanes&>;
+  { s.turn_planes() } -> std::same_as<const detail::TurnPlanes&>;
 };
 
 /// Free space with a grid of nodes and its own rule for steps: `successors(index)` is the set of

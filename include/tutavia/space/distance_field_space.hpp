@@ -118,6 +118,7 @@ class DistanceFieldSpace {
   const Frame& frame() const { return layer_.frame(); }
   MovementRule movement() const { return layer_.movement(); }
   const detail::StopPlanes& stop_planes() const { return layer_.stop_planes(); }
+  const detail::TurnPlanes& turn_planes() const { return layer_.turn_planes(); }
   const OccupancyGrid& columns() const { return layer_.columns(); }
   /// The free nodes within sqrt(2) delta of `p` to which the segment is free. If `p` lies within
   /// 1e-9 delta of a free node, that node alone. May be empty.

@@ -135,6 +135,7 @@ class LatticeSpace {
     return edges_ != nullptr ? std::span<const StepSet>(edges_->steps) : std::span<const StepSet>();
   }
   const detail::StopPlanes& stop_planes() const { return layer_.stop_planes(); }
+  const detail::TurnPlanes& turn_planes() const { return layer_.turn_planes(); }
   const OccupancyGrid& columns() const { return layer_.columns(); }
 
   /// The free nodes within sqrt(2) delta of `p` to which the segment is free. If `p` lies within

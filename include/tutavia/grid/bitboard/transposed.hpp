@@ -25,7 +25,25 @@ inline void transpose_64(std::array<std::uint64_t, 64>& rows) {
   }
 }
 
-/// The transpose of a grid, computed in blocks of 64 x 64 cells.
+/// Transposes a matrix of `rows` x `columns` bits with `per_row` words a row, in blocks of 64 x 64.
+/// The result, with `per_column` words a row, goes to `to`; its bits beyond `rows` are 0.
+inline void transpose_bits(const std::uint64_t* from, std::size_t rows, std::size_t columns,
+                           std::size_t per_row, std::size_t per_column, std::uint64_t* to) {
+  std::array<std::uint64_t, 64> block;
+  for (std::size_t i = 0; i < per_column; ++i) {
+    for (std::size_t j = 0; j < per_row; ++j) {
+      for (std::size_t k = 0; k < 64; ++k) {
+        block[k] = 64 * i + k < rows ? from[(64 * i + k) * per_row + j] : 0;
+      }
+      transpose_64(block);
+      for (std::size_t k = 0; k < 64 && 64 * j + k < columns; ++k) {
+        to[(64 * j + k) * per_column + i] = block[k];
+      }
+    }
+  }
+}
+
+/// The transpose of a grid.
 inline OccupancyGrid transposed(const OccupancyGrid& grid) {
   OccupancyGrid result = OccupancyGrid::blocked(grid.height(), grid.width(),
                                                 std::int64_t{grid.height()} * grid.width())
@@ -33,19 +51,8 @@ inline OccupancyGrid transposed(const OccupancyGrid& grid) {
   // Sizes with the padding.
   const std::size_t rows = static_cast<std::size_t>(grid.height()) + 2;
   const std::size_t columns = static_cast<std::size_t>(grid.width()) + 2;
-  const std::size_t per_row = grid.stride() / 64, per_column = result.stride() / 64;
-  std::array<std::uint64_t, 64> block;
-  for (std::size_t i = 0; i < per_column; ++i) {
-    for (std::size_t j = 0; j < per_row; ++j) {
-      for (std::size_t k = 0; k < 64; ++k) {
-        block[k] = 64 * i + k < rows ? grid.words()[(64 * i + k) * per_row + j] : 0;
-      }
-      transpose_64(block);
-      for (std::size_t k = 0; k < 64 && 64 * j + k < columns; ++k) {
-        result.bits_[(64 * j + k) * per_column + i] = block[k];
-      }
-    }
-  }
+  transpose_bits(grid.words().data(), rows, columns, grid.stride() / 64, result.stride() / 64,
+                 result.bits_.data());
   return result;
 }
 

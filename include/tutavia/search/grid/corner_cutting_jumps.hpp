@@ -3,13 +3,14 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 
 #include "tutavia/core/assert.hpp"
+#include "tutavia/grid/bitboard/places.hpp"
 #include "tutavia/grid/bitboard/stop_planes.hpp"
 #include "tutavia/grid/bitboard/successors.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/search/grid/jump_concepts.hpp"
 
 /// \file
 /// CornerCuttingScanner: the jumps of a jump point search whose steps may cut corners.
@@ -38,79 +39,55 @@ class CornerCuttingScanner {
   /// \pre the rule is `no_squeeze` or `allow`
   CornerCuttingScanner(const OccupancyGrid& grid, const StopPlanes& planes, MovementRule rule)
       : grid_(grid.view()),
-        planes_(planes),
+        places_(grid),
+        planes_{planes.plane(0), planes.plane(2), planes.plane(4), planes.plane(6)},
         table_(canonical_table(rule)),
         squeezes_(rule == MovementRule::allow) {
     TUTAVIA_ASSERT(rule == MovementRule::no_squeeze || rule == MovementRule::allow);
   }
 
-  template <std::size_t Step>
-  int straight(Cell from) const {
-    return straight<Step>(planes_.plane_index(from));
+  Jump straight(std::size_t step, const Place& from) const {
+    const StopPlanes::Plane& plane = planes_[step / 2];
+    int distance = plane.jump(from);
+    if (distance == 1) {
+      const Place next = places_.advanced(from, step, 1);
+      // The cell of departure is no jump point.
+      if (grid_.is_free(next.in_rows())) distance += plane.jump(next);
+    }
+    const bool stops =
+        grid_.is_free(places_.advanced(from, step, distance).in_rows()) ||
+        (squeezes_ && opens_beside(places_.advanced(from, step, distance - 1), step));
+    const Place end = places_.advanced(from, step, distance - 1);
+    return {static_cast<std::uint32_t>(end.in_rows()), distance - 1, stops};
   }
 
-  /// Like the diagonals of JumpScanner, and returns the number of steps to the jump point at which
-  /// the diagonal ends; 0 if there is none.
-  template <std::size_t Step, class Visit>
-  int diagonal(Cell from, Cell goal, Visit visit) const {
-    constexpr Cell d = steps[Step];
-    constexpr std::size_t horizontal = d.x == 1 ? 0 : 4, vertical = d.y == 1 ? 2 : 6;
-    constexpr unsigned continued = 1u << Step | 1u << horizontal | 1u << vertical;
-    const std::size_t along_rows = offset(d.x, 1) + offset(d.y, grid_.stride);
-    const std::size_t along_columns = offset(d.x, planes_.column_stride()) + offset(d.y, 1);
-    // Numbers of steps after which the goal's row and column are reached.
-    const int at_row = (goal.y - from.y) * d.y, at_column = (goal.x - from.x) * d.x;
-    StopPlanes::PlaneIndex at = planes_.plane_index(from);
-    unsigned successors = table_[no_step][grid_.neighbourhood(at.in_rows)];
-    for (int k = 1; (successors >> Step & 1u) != 0; ++k) {
-      at.in_rows += along_rows;
-      at.in_columns += along_columns;
-      successors = table_[Step][grid_.neighbourhood(at.in_rows)];
-      if ((successors & ~continued) != 0) return k;
-      const int sideways = straight<horizontal>(at), upright = straight<vertical>(at);
-      const bool near_goal = std::abs(at_row - k) <= 1 || std::abs(at_column - k) <= 1;
-      if (sideways > 0 || upright > 0 || near_goal) visit(k, sideways, upright);
+  template <class Visit>
+  Jump diagonal(std::size_t step, Cell, const Place& from, Visit visit) const {
+    const std::size_t horizontal = horizontal_of(step), vertical = vertical_of(step);
+    const unsigned continued = 1u << step | 1u << horizontal | 1u << vertical;
+    unsigned successors = table_[no_step][grid_.neighbourhood(from.in_rows())];
+    for (int k = 1;; ++k) {
+      if ((successors >> step & 1u) == 0) return {0, k - 1, false};
+      const Place at = places_.advanced(from, step, k);
+      successors = table_[step][grid_.neighbourhood(at.in_rows())];
+      if ((successors & ~continued) != 0)
+        return {static_cast<std::uint32_t>(at.in_rows()), k, true};
+      const Jump sideways = straight(horizontal, at), upright = straight(vertical, at);
+      if (sideways.at_jump_point || upright.at_jump_point) visit(k, sideways, upright);
     }
-    return 0;
   }
 
  private:
-  static std::size_t offset(int sign, std::size_t distance) {
-    return sign == 1 ? distance : -distance;
-  }
-
-  template <std::size_t Step>
-  int straight(StopPlanes::PlaneIndex at) const {
-    constexpr Cell d = steps[Step];
-    const std::size_t along_rows = d.y == 0 ? offset(d.x, 1) : offset(d.y, grid_.stride);
-    const std::size_t along_columns =
-        d.y == 0 ? offset(d.x, planes_.column_stride()) : offset(d.y, 1);
-    const auto advance = [&](int count) {
-      at.in_rows += along_rows * static_cast<std::size_t>(count);
-      at.in_columns += along_columns * static_cast<std::size_t>(count);
-    };
-    int distance = planes_.template jump<Step>(at);
-    advance(distance);
-    if (distance == 1 && grid_.is_free(at.in_rows)) {  // the cell of departure is no jump point
-      const int more = planes_.template jump<Step>(at);
-      advance(more);
-      distance += more;
-    }
-    const bool stops =
-        grid_.is_free(at.in_rows) || (squeezes_ && opens_beside<Step>(at.in_rows - along_rows));
-    return stops ? distance - 1 : 1 - distance;
-  }
-
   /// Whether a cell has a diagonal step behind a blocked cell beside it.
-  template <std::size_t Step>
-  bool opens_beside(std::size_t index) const {
-    const Neighbourhood around = grid_.neighbourhood(index);
-    return (!is_free(around, (Step + 2) % 8) && is_free(around, (Step + 1) % 8)) ||
-           (!is_free(around, (Step + 6) % 8) && is_free(around, (Step + 7) % 8));
+  bool opens_beside(const Place& cell, std::size_t step) const {
+    const Neighbourhood around = grid_.neighbourhood(cell.in_rows());
+    return (!is_free(around, (step + 2) % 8) && is_free(around, (step + 1) % 8)) ||
+           (!is_free(around, (step + 6) % 8) && is_free(around, (step + 7) % 8));
   }
 
   OccupancyGrid::View grid_;
-  const StopPlanes& planes_;
+  Places places_;
+  std::array<StopPlanes::Plane, 4> planes_;
   const CanonicalTable& table_;
   bool squeezes_;  // between two blocked cells
 };

@@ -29,6 +29,10 @@ class LabelWords {
   std::uint64_t word(Cost g, std::size_t arrival) const {
     return (base_ - (static_cast<std::uint64_t>(g) << step_bits)) | arrival;
   }
+  /// The label of a path that costs `more`.
+  static std::uint64_t farther(std::uint64_t label, Cost more) {
+    return label - (static_cast<std::uint64_t>(more) << step_bits);
+  }
   /// Whether a label of this query has a smaller g than `old`, or `old` is of an earlier query.
   static bool is_better(std::uint64_t label, std::uint64_t old) {
     return label > (old | step_mask);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tutavia/grid/bitboard/places.hpp"
 #include "tutavia/grid/cell.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/search/grid/goal_estimate.hpp"
@@ -36,37 +37,36 @@ concept OpenList = std::default_initializable<L> &&
   { open.pop().tag } -> std::convertible_to<std::uint32_t>;
 };
 
-/// Computes the jumps of a JumpSearch.
+/// A jump from a cell in one direction.
+struct Jump {
+  std::uint32_t end = 0;  ///< index of the cell `length` steps away
+  /// Steps to the jump point or, without one, to the last free cell or the blocked one behind it.
+  int length = 0;
+  bool at_jump_point = false;
+};
+
+/// Computes the jumps of a JumpSearch. \pre steps are allowed from the cell in the direction
 ///
-/// `straight<Step>(cell)` is the number of steps to the jump point in that direction, or -n if
-/// there are n steps to an obstacle. `diagonal<Step>(cell, goal, visit)` calls `visit(k,
-/// horizontal, vertical)` for each number k of diagonal steps after which a straight jump leads to
-/// a jump point, or to a goal next to the cell `goal`. The two straight jumps are given as by
-/// `straight`.
+/// `straight(step, place)` is the jump from a cell in a straight direction. `diagonal(step, cell,
+/// place, visit)` is the jump in a diagonal one, whose last cell is always free. It calls `visit(k,
+/// horizontal, vertical)` for every number k of steps after which a straight jump leads to a jump
+/// point, with the straight jumps from there; not for the jump point at its own end.
 template <class S>
-concept JumpScanner = requires(const S& scanner, Cell cell, void (*visit)(int, int, int)) {
-  { scanner.template straight<0>(cell) } -> std::same_as<int>;
-  { scanner.template straight<2>(cell) } -> std::same_as<int>;
-  { scanner.template straight<4>(cell) } -> std::same_as<int>;
-  { scanner.template straight<6>(cell) } -> std::same_as<int>;
-  scanner.template diagonal<1>(cell, cell, visit);
-  scanner.template diagonal<3>(cell, cell, visit);
-  scanner.template diagonal<5>(cell, cell, visit);
-  scanner.template diagonal<7>(cell, cell, visit);
+concept JumpScanner = requires(const S& scanner, std::size_t step, Cell cell, const Place& place,
+                               void (*visit)(int, Jump, Jump)) {
+  { scanner.straight(step, place) } -> std::same_as<Jump>;
+  { scanner.diagonal(step, cell, place, visit) } -> std::same_as<Jump>;
 };
 
-/// A scanner whose diagonals end at jump points: `diagonal` returns the number of steps to the one
-/// at which it ended, which it has not visited; 0 if there is none.
-template <class S>
-concept DiagonalStopScanner = JumpScanner<S> &&
-    requires(const S& scanner, Cell cell, void (*visit)(int, int, int)) {
-  { scanner.template diagonal<1>(cell, cell, visit) } -> std::same_as<int>;
-};
+/// The horizontal and the vertical component of a diagonal step, as steps.
+constexpr std::size_t horizontal_of(std::size_t diagonal) { return steps[diagonal].x > 0 ? 0 : 4; }
+constexpr std::size_t vertical_of(std::size_t diagonal) { return diagonal < 4 ? 2 : 6; }
 
-/// A scanner with a prefetch: `prefetch(cell)` announces a cell from which the search will jump.
+/// A scanner with a prefetch: `prefetch(index)` announces the index of a cell from which the search
+/// will jump.
 template <class S>
-concept PrefetchingScanner = JumpScanner<S> && requires(const S& scanner, Cell cell) {
-  scanner.prefetch(cell);
+concept PrefetchingScanner = JumpScanner<S> && requires(const S& scanner, std::uint32_t index) {
+  scanner.prefetch(index);
 };
 
 /// The guide of a JumpSearch: `Open` is the type of its open list, `estimate(cell)` the estimated

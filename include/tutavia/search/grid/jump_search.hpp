@@ -10,12 +10,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "tutavia/core/parts/compiler.hpp"
+#include "tutavia/grid/bitboard/places.hpp"
 #include "tutavia/grid/bitboard/successors.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/search/concepts.hpp"
@@ -51,6 +51,7 @@ class JumpSearch {
              const Guide& guide, JumpScratchWith<typename Guide::Open>& scratch)
       : context_(context),
         grid_(context.space.grid().view()),
+        places_(context.space.grid()),
         scanner_(scanner),
         guide_(guide),
         table_(canonical_table(context.space.movement())),
@@ -59,14 +60,14 @@ class JumpSearch {
         open_(scratch.open) {}
 
   Expected<void, Failure> run() {
-    labels_.reset();
+    labels_.reset(context_.space.grid().index_count());
     Cost least = none;
     for (const auto& [cell, cost] : linked_.starts) least = std::min(least, cost + estimate(cell));
     open_.reset(least);
     for (const auto& [cell, cost] : linked_.starts) {
-      queue_label(cell, cost, no_step);
-      label_pending(cell);
-      try_exit(cell, cost, cell);
+      const auto index = static_cast<std::uint32_t>(grid_.index(cell));
+      label({labels_.words().word(cost, no_step), index}, index);
+      if (const auto exit = linked_.exit_cost(cell)) improve_goal(cell, cost + *exit, cell);
     }
     while (!open_.empty()) {
       const Cost least_key = open_.seek_first();
@@ -78,7 +79,7 @@ class JumpSearch {
       const Cost g = labels_.words().g(label);
       if (least_key > best_ - Open::width && g + estimate(cell) >= best_) continue;
       if (auto within = context_.check_budget(64); !within) return within;
-      expand(cell, g, LabelWords::arrival(label));
+      expand(cell, entry.node, g, LabelWords::arrival(label));
     }
     if (best_ == none) return fail(PlanError::unreachable);
     return {};
@@ -110,71 +111,83 @@ class JumpSearch {
   using Open = typename Guide::Open;
   static constexpr Cost none = std::numeric_limits<Cost>::max();
 
+  /// A jump point to be labelled.
+  struct Note {
+    std::uint64_t label;  // see LabelWords
+    std::uint32_t index;
+  };
+
+  static constexpr unsigned straight_steps = 0b01010101;
+  /// The step towards (x, y), by 3 sign(y) + sign(x) + 4.
+  static constexpr std::array<std::size_t, 9> step_towards{5, 6, 7, 4, no_step, 0, 3, 2, 1};
+
   static int sign(int value) { return (value > 0) - (value < 0); }
 
   Cost estimate(Cell cell) const { return guide_.estimate(cell); }
 
-  void expand(Cell from, Cost g, std::size_t arrival) {
-    context_.count_expanded(from);
-    const StepSet successors = table_[arrival][grid_.neighbourhood(grid_.index(from))];
-    const auto has = [&](std::size_t step) { return ((successors >> step) & 1u) != 0; };
-    if (has(0)) jump<0>(from, scanner_.template straight<0>(from), g, from);
-    if (has(2)) jump<2>(from, scanner_.template straight<2>(from), g, from);
-    if (has(4)) jump<4>(from, scanner_.template straight<4>(from), g, from);
-    if (has(6)) jump<6>(from, scanner_.template straight<6>(from), g, from);
-    if (has(1)) jump_diagonally<1>(from, g);
-    if (has(3)) jump_diagonally<3>(from, g);
-    if (has(5)) jump_diagonally<5>(from, g);
-    if (has(7)) jump_diagonally<7>(from, g);
-    label_pending(from);
-  }
-
-  template <std::size_t Step>
-  void jump_diagonally(Cell from, Cost g) {
-    constexpr Cell d = steps[Step];
-    const auto turn = [&](int k, int horizontal, int vertical) {
-      const Cell cell{from.x + k * d.x, from.y + k * d.y};
-      const Cost cost = g + k * diagonal_cost;
-      try_exit(cell, cost, from);
-      jump<d.x == 1 ? 0 : 4>(cell, horizontal, cost, from);
-      jump<d.y == 1 ? 2 : 6>(cell, vertical, cost, from);
+  void expand(Cell cell, std::uint32_t index, Cost g, std::size_t arrival) {
+    context_.count_expanded(cell);
+    const unsigned successors = table_[arrival][grid_.neighbourhood(index)];
+    const Place from = places_.of(cell);
+    const std::uint64_t label = labels_.words().word(g, 0);
+    std::array<Note, 32> notes;
+    std::size_t noted = 0;
+    // Notes the end of a jump from a cell with a label, if it is a jump point.
+    const auto note = [&](const Jump& jump, std::uint64_t at, std::size_t step, Cost cost) {
+      notes[noted] = {LabelWords::farther(at, jump.length * cost) | step, jump.end};
+      noted += jump.at_jump_point ? 1 : 0;  // unpredictable, so branch-free
     };
-    if constexpr (DiagonalStopScanner<Scanner>) {
-      const int k = scanner_.template diagonal<Step>(from, linked_.goal_cell, turn);
-      if (k == 0) return;
-      const Cell stop{from.x + k * d.x, from.y + k * d.y};
-      try_exit(stop, g + k * diagonal_cost, from);
-      if (pending_count_ == pending_.size()) label_pending(from);
-      queue_label(stop, g + k * diagonal_cost, Step);
-    } else {
-      scanner_.template diagonal<Step>(from, linked_.goal_cell, turn);
+    // Labels are far away in memory: they are read after all jumps.
+    const auto label_noted = [&] {
+      for (std::size_t i = 0; i < noted; ++i) {
+        Note& to = notes[i];
+        std::uint32_t parent = index;
+        if constexpr (LookBackGuide<Guide>) parent = look_back(to, parent);
+        this->label(to, parent);
+      }
+      noted = 0;
+    };
+    std::array<int, 8> lengths{};  // of the jumps, by step
+    for (unsigned left = successors & straight_steps; left != 0; left &= left - 1) {
+      const auto step = static_cast<std::size_t>(std::countr_zero(left));
+      const Jump jump = scanner_.straight(step, from);
+      note(jump, label, step, straight_cost);
+      lengths[step] = jump.length;
     }
-  }
-
-  /// Follows a straight jump from `cell`, which is reached from `parent`.
-  template <std::size_t Step>
-  TUTAVIA_ALWAYS_INLINE void jump(Cell cell, int stop, Cost g, Cell parent) {
-    constexpr Cell d = steps[Step];
-    const int across = d.x != 0 ? linked_.goal_cell.y - cell.y : linked_.goal_cell.x - cell.x;
-    if (-1 <= across && across <= 1) {
-      for (const auto& [goal, exit] : linked_.goals) {
-        const Cell to = goal - cell;
-        const int along = to.x * d.x + to.y * d.y;
-        const bool ahead = (d.x != 0 ? to.y : to.x) == 0 && along > 0 && along <= std::abs(stop);
-        if (ahead) improve_goal(goal, g + along * straight_cost + exit, parent);
+    for (unsigned left = successors & ~straight_steps; left != 0; left &= left - 1) {
+      const auto step = static_cast<std::size_t>(std::countr_zero(left));
+      const auto turn = [&](int k, const Jump& sideways, const Jump& upright) {
+        if (noted + 2 > notes.size()) label_noted();
+        const std::uint64_t at = LabelWords::farther(label, k * diagonal_cost);
+        note(sideways, at, horizontal_of(step), straight_cost);
+        note(upright, at, vertical_of(step), straight_cost);
+      };
+      const Jump jump = scanner_.diagonal(step, cell, from, turn);
+      if (noted == notes.size()) label_noted();
+      note(jump, label, step, diagonal_cost);
+      lengths[step] = jump.length;
+    }
+    for (const auto& [goal, exit] : linked_.goals) {
+      if (reaches(cell, lengths, goal)) {
+        improve_goal(goal, g + octile_cost(cell, goal) + exit, cell);
       }
     }
-    if (stop > 0) {
-      if (pending_count_ == pending_.size()) label_pending(parent);
-      queue_label({cell.x + stop * d.x, cell.y + stop * d.y}, g + stop * straight_cost, Step);
-    }
+    label_noted();
   }
 
-  /// Records a path that leaves the grid to the goal at a cell reached from `parent`, if the cell
-  /// has a link.
-  void try_exit(Cell cell, Cost g, Cell parent) {
-    if (!linked_.near_goal(cell)) return;
-    if (const auto exit = linked_.exit_cost(cell)) improve_goal(cell, g + *exit, parent);
+  /// Whether jumps of these lengths from a cell lead to a goal, or to a cell from which a straight
+  /// jump does.
+  bool reaches(Cell from, const std::array<int, 8>& lengths, Cell goal) const {
+    const int x = goal.x - from.x, y = goal.y - from.y;
+    const std::size_t step = step_towards[static_cast<std::size_t>(3 * sign(y) + sign(x) + 4)];
+    if (step == no_step) return false;
+    const int longer = std::max(std::abs(x), std::abs(y));
+    const int first = is_diagonal(step) ? std::min(std::abs(x), std::abs(y)) : longer;
+    if (first > lengths[step]) return false;
+    if (first == longer) return true;
+    const std::size_t onwards = std::abs(y) > std::abs(x) ? vertical_of(step) : horizontal_of(step);
+    const Place turn = places_.advanced(places_.of(from), step, first);
+    return longer - first <= scanner_.straight(onwards, turn).length;
   }
 
   void improve_goal(Cell goal, Cost total, Cell parent) {
@@ -184,43 +197,26 @@ class JumpSearch {
     best_parent_ = parent;
   }
 
-  /// Queues a cell reached by a jump. Labels are far away in memory, so they are prefetched now and
-  /// read after all jumps of an expansion.
-  TUTAVIA_ALWAYS_INLINE void queue_label(Cell cell, Cost g, std::size_t arrival) {
-    const auto index = static_cast<std::uint32_t>(grid_.index(cell));
-    labels_.prefetch(index);
-    pending_[pending_count_++] = {labels_.words().word(g, arrival), cell, index};
+  /// Labels a jump point reached from `parent`, and queues it unless its path is no better than a
+  /// known one.
+  TUTAVIA_ALWAYS_INLINE void label(const Note& to, std::uint32_t parent) {
+    if (!labels_.improve(to.index, to.label, parent)) return;
+    const Cell cell = grid_.cell(to.index);
+    const Cost f = labels_.words().g(to.label) + estimate(cell);
+    if (f >= best_) return;
+    context_.count_generated(cell);
+    open_.push(f, to.index, LabelWords::tag(to.label));
+    if constexpr (PrefetchingScanner<Scanner>) scanner_.prefetch(to.index);
   }
-
-  /// Labels the queued cells, which are reached from `parent`.
-  void label_pending(Cell parent) {
-    for (Pending& to : std::span(pending_.data(), pending_count_)) {
-      auto from = static_cast<std::uint32_t>(grid_.index(parent));
-      const bool first = LabelWords::arrival(to.label) == no_step;
-      if (LookBackGuide<Guide> && !first) from = look_back(to, from);
-      if (!labels_.improve(to.index, to.label, from)) continue;
-      const Cost f = labels_.words().g(to.label) + estimate(to.cell);
-      if (f >= best_) continue;
-      context_.count_generated(to.cell);
-      open_.push(f, to.index, LabelWords::tag(to.label));
-      if constexpr (PrefetchingScanner<Scanner>) scanner_.prefetch(to.cell);
-    }
-    pending_count_ = 0;
-  }
-
-  struct Pending {
-    std::uint64_t label;  // see LabelWords
-    Cell cell;
-    std::uint32_t index;
-  };
 
   /// Replaces the path to a cell by a straight line from the parent of `parent`, or else from
   /// `parent` itself. Returns the start of that line.
-  std::uint32_t look_back(Pending& to, std::uint32_t parent) {
+  std::uint32_t look_back(Note& to, std::uint32_t parent) {
     for (const std::uint32_t from : {labels_[parent].parent, parent}) {
       const Cell cell = grid_.cell(from);
-      if (!sees(cell, to.cell)) continue;
-      const Cost g = labels_.words().g(labels_[from].word) + euclidean_cost(cell, to.cell);
+      if (!sees(cell, grid_.cell(to.index))) continue;
+      const Cost g =
+          labels_.words().g(labels_[from].word) + euclidean_cost(cell, grid_.cell(to.index));
       to.label = labels_.words().word(g, LabelWords::arrival(to.label));
       return from;
     }
@@ -237,6 +233,7 @@ class JumpSearch {
 
   SearchContext<S, O>& context_;
   OccupancyGrid::View grid_;
+  Places places_;
   const Scanner& scanner_;
   const Guide& guide_;
   const CanonicalTable& table_;
@@ -245,8 +242,6 @@ class JumpSearch {
   Open& open_;
   Cost best_ = none;
   Cell best_goal_{}, best_parent_{};
-  std::array<Pending, 32> pending_;
-  std::size_t pending_count_ = 0;
 };
 
 /// Runs a JumpSearch within `search_grid`; see `jump_search`.

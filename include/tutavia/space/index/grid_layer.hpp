@@ -11,6 +11,7 @@
 #include "tutavia/grid/bitboard/corner_cells.hpp"
 #include "tutavia/grid/bitboard/stop_planes.hpp"
 #include "tutavia/grid/bitboard/transposed.hpp"
+#include "tutavia/grid/bitboard/turn_planes.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/space/links.hpp"
 #include "tutavia/world/frame.hpp"
@@ -50,6 +51,12 @@ class GridLayer {
   const StopPlanes& stop_planes() const {
     std::call_once(lazy_->once, [this] { lazy_->planes.emplace(grid_); });
     return *lazy_->planes;
+  }
+
+  /// Built like `stop_planes`.
+  const TurnPlanes& turn_planes() const {
+    std::call_once(lazy_->turns_once, [this] { lazy_->turns.emplace(grid_, stop_planes()); });
+    return *lazy_->turns;
   }
 
   /// The grid with rows and columns exchanged; built like `stop_planes`.
@@ -141,6 +148,8 @@ class GridLayer {
   struct Lazy {
     std::once_flag once;
     std::optional<StopPlanes> planes;
+    std::once_flag turns_once;
+    std::optional<TurnPlanes> turns;
     std::once_flag columns_once;
     std::optional<OccupancyGrid> columns;
     std::once_flag corners_once;
