@@ -18,7 +18,6 @@
 #include "tutavia/batch.hpp"
 #include "tutavia/core/random.hpp"
 #include "tutavia/search/astar.hpp"
-#include "tutavia/search/canonical_astar.hpp"
 #include "tutavia/search/jps.hpp"
 #include "tutavia/space/cell_space.hpp"
 
@@ -95,7 +94,7 @@ void batch() {
     queries.push_back({.start = space.frame().point(a), .goal = space.frame().point(b)});
   }
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  const Planner planner{CanonicalAStar{}};
+  const Planner planner{AStar{}};
   double one = 1e300, all = 1e300;
   for (int round = 0; round < 5; ++round) {
     auto start = Clock::now();
@@ -117,11 +116,11 @@ int main() {
   const auto space = CellSpace::build(rectangles(side)).value();
   std::printf("%d x %d cells: %.0f MiB\n", side, side, resident_mib() - empty);
   cross(space, AStar{});
-  cross(space, CanonicalAStar{});
+  cross(space, AStar{.successors = AStar::Successors::all});
   const double before = resident_mib();
   auto start = Clock::now();
-  space.stop_planes();
-  std::printf("stop planes: %.0f MiB, %.2f s\n", resident_mib() - before, seconds_since(start));
+  space.turn_planes();
+  std::printf("planes of jumps: %.0f MiB, %.2f s\n", resident_mib() - before, seconds_since(start));
   cross(space, Jps{});
   batch();
   return 0;

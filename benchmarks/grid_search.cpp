@@ -13,7 +13,6 @@
 #include "map_benchmark.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/bidirectional_astar.hpp"
-#include "tutavia/search/canonical_astar.hpp"
 #include "tutavia/search/dijkstra.hpp"
 #include "tutavia/search/flow_field.hpp"
 #include "tutavia/search/jps.hpp"
@@ -68,12 +67,14 @@ double ssa_bound(const SsaAStar& search, double optimal) {
 Engines engines() {
   Engines all{
       {"astar", [](const CellSpace& s) { return engine(s, AStar{}, grid_bytes(s)); }},
+      {"astar_all_successors",
+       [](const CellSpace& s) {
+         return engine(s, AStar{.successors = AStar::Successors::all}, grid_bytes(s));
+       }},
       {"astar_euclidean",
        [](const CellSpace& s) {
          return engine(s, AStar{.heuristic = HeuristicKind::euclidean}, grid_bytes(s));
        }},
-      {"canonical_astar",
-       [](const CellSpace& s) { return engine(s, CanonicalAStar{}, grid_bytes(s)); }},
       {"bidirectional_astar",
        [](const CellSpace& s) { return engine(s, BidirectionalAStar{}, grid_bytes(s)); }},
       {"weighted_astar",
@@ -84,7 +85,8 @@ Engines engines() {
       {"dijkstra", [](const CellSpace& s) { return engine(s, Dijkstra{}, grid_bytes(s)); }},
       {"jps",
        [](const CellSpace& s) {
-         return engine(s, Jps{}, grid_bytes(s) + s.stop_planes().memory());
+         return engine(s, Jps{},
+                       grid_bytes(s) + s.stop_planes().memory() + s.turn_planes().memory());
        }},
       {"jps_plus",
        [](const CellSpace& s) {

@@ -36,7 +36,7 @@ std::vector<Row> runs_on(const test::PaperTask& task, const Options& options) {
   const auto improved = [&](ExitCost cost, Target target, bool funnel) {
     return run(ImprovedReaStar{.exit_cost = cost, .target = target, .funnel = funnel});
   };
-  return {{"A*", "A*", run(AStar{})},
+  return {{"A*", "A*", run(AStar{.successors = AStar::Successors::all})},
           {"JPS", "JPS", run(Jps{})},
           {"REA*", "REA*", run(ReaStar{})},
           {"SBREA*", "SBREA*", run(SbReaStar{})},

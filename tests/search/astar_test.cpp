@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "support/against_astar.hpp"
 #include "support/check_route.hpp"
 #include "support/explicit_graph.hpp"
 #include "support/random_grids.hpp"
@@ -50,6 +51,16 @@ TEST_CASE(
   }
   CHECK(found > test::scaled(100) / 5);
   CHECK(astar_expanded < dijkstra_expanded);
+}
+
+TEST_CASE("A* with all successors keeps the searcher contract") {
+  test::searcher_contract(AStar{.successors = AStar::Successors::all});
+}
+
+TEST_CASE("canonical successors give the same lengths with fewer nodes generated") {
+  const test::Effort effort =
+      test::against_astar(AStar{.successors = AStar::Successors::all}, 441, &Statistics::generated);
+  CHECK(effort.of_astar < effort.own);
 }
 
 TEST_CASE("A* tells its observer of every expansion and every label") {

@@ -15,8 +15,8 @@ struct Cell {
   int y = 0;
 
   friend bool operator==(const Cell&, const Cell&) = default;
-  friend Cell operator+(Cell a, Cell b) { return {a.x + b.x, a.y + b.y}; }
-  friend Cell operator-(Cell a, Cell b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr Cell operator+(Cell a, Cell b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Cell operator-(Cell a, Cell b) { return {a.x - b.x, a.y - b.y}; }
 };
 
 namespace detail {

@@ -38,6 +38,10 @@ Expected<void, Failure> check_costs(const S& space, const std::shared_ptr<const 
 
 /// A* with the octile heuristic, which is admissible and consistent under every movement rule.
 ///
+/// Of all paths of equal cost between two cells, the search follows one: that with its diagonal
+/// steps first. All others have the same length, and the search generates far fewer cells.
+/// `successors` is there for those who want to see every step.
+///
 /// Returns a shortest path among the grid's steps and the links of start and goal (to 1.3e-9
 /// relative, the rounding of integer costs). If start or goal is off the grid and the straight
 /// segment between them is free, it returns that segment. With `costs` it returns the path of least
@@ -48,15 +52,23 @@ Expected<void, Failure> check_costs(const S& space, const std::shared_ptr<const 
 /// Errors: `invalid_option` for costs of another size; those of `search_grid`.
 ///
 /// Source: Hart, Nilsson and Raphael 1968, "A formal basis for the heuristic determination of
-/// minimum cost paths".
+/// minimum cost paths"; Sturtevant and Rabin 2016, "Canonical orderings on grids".
 ///
 /// Example: examples/searches_on_cells.cpp.
 struct AStar {
   static constexpr std::string_view name = "astar";
   using Scratch = detail::AStarScratch;
 
+  /// Which steps the search follows from a cell. Without effect with `costs`, another heuristic or
+  /// in spaces whose nodes have steps of their own: all are followed there.
+  enum class Successors {
+    canonical,  ///< those of one of many equal paths
+    all,
+  };
+
   HeuristicKind heuristic = HeuristicKind::octile;
   std::shared_ptr<const CellCosts> costs{};  ///< cost factors; null: all cells cost the same
+  Successors successors = Successors::canonical;
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
@@ -78,8 +90,16 @@ struct AStar {
                                     return detail::GoalEstimate(heuristic, linked);
                                   });
     }
-    const detail::ExpansionSearch<detail::SuccessorRule::all, detail::OctileHeuristic> expansion{
-        scratch.expansion};
+    return successors == Successors::canonical
+               ? expand<detail::SuccessorRule::canonical>(space, query, scratch, observer)
+               : expand<detail::SuccessorRule::all>(space, query, scratch, observer);
+  }
+
+ private:
+  template <detail::SuccessorRule Rule, GridSpace S, Observer O>
+  static Expected<Route, Failure> expand(const S& space, const Query& query, Scratch& scratch,
+                                         O& observer) {
+    const detail::ExpansionSearch<Rule, detail::OctileHeuristic> expansion{scratch.expansion};
     return detail::search_grid(space, query, observer, expansion);
   }
 };

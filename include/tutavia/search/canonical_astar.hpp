@@ -3,31 +3,27 @@
 
 #include <string_view>
 
-#include "tutavia/search/grid/expansion_search.hpp"
-#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/astar.hpp"
 
 /// \file
 /// Canonical A*: A* that generates only one of many equal paths.
 
 namespace tutavia {
 
-/// A* that follows only canonical successors: of all paths of equal cost between two cells, the one
-/// that takes its diagonal steps first. Paths have the same length as those of A*, with far fewer
-/// generated cells. Guarantees and errors as for AStar.
+/// AStar with its default options, under the name of the canonical ordering that it follows.
 ///
 /// Source: Sturtevant and Rabin 2016, "Canonical orderings on grids".
 ///
 /// Example: examples/searches_on_cells.cpp.
 struct CanonicalAStar {
   static constexpr std::string_view name = "canonical_astar";
-  using Scratch = detail::ExpansionScratch;
+  using Scratch = AStar::Scratch;
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    const detail::ExpansionSearch<detail::SuccessorRule::canonical, detail::OctileHeuristic>
-        expansion{scratch};
-    return detail::search_grid(space, query, observer, expansion);
+    return AStar{.successors = AStar::Successors::canonical}.search(space, query, scratch,
+                                                                    observer);
   }
 };
 

@@ -170,7 +170,46 @@ TEST_CASE("canonical steps are allowed ones, and never lead back", "[grid]") {
   }
 }
 
-TEST_CASE("canonical steps reach every cell as cheaply as all steps do, whatever comes first",
+TEST_CASE("onward steps are all but those to the parent and to cells that it steps to", "[grid]") {
+  // The neighbourhood as a map of its own, whose other cells are blocked.
+  for (const MovementRule rule : test::all_rules) {
+    CAPTURE(static_cast<int>(rule));
+    const CanonicalTable& table = onward_table(rule);
+    CHECK(table[no_step] == successor_table(rule));
+    std::size_t wrong = 0;
+    for (std::size_t arrival = 0; arrival < no_step; ++arrival) {
+      const Cell parent = steps[opposite(arrival)];
+      for (std::size_t around = 0; around < 256; ++around) {
+        if (!may_step(around, parent, MovementRule::allow)) continue;
+        const auto is_free = [&](Cell c) {
+          return c == Cell{0, 0} || (-1 <= c.x && c.x <= 1 && -1 <= c.y && c.y <= 1 &&
+                                     may_step(around, c, MovementRule::allow));
+        };
+        std::size_t from_parent = 0;
+        for (std::size_t step = 0; step < steps.size(); ++step) {
+          if (is_free(parent + steps[step])) from_parent |= std::size_t{1} << neighbour_bit[step];
+        }
+        for (std::size_t step = 0; step < steps.size(); ++step) {
+          const Cell to = steps[step], of_parent = to - parent;
+          const bool is_next =
+              -1 <= of_parent.x && of_parent.x <= 1 && -1 <= of_parent.y && of_parent.y <= 1;
+          const bool known = to == parent || (is_next && may_step(from_parent, of_parent, rule));
+          const bool expected = may_step(around, to, rule) && !known;
+          if (has(table[arrival][around], step) != expected) ++wrong;
+        }
+      }
+    }
+    CHECK(wrong == 0);
+  }
+}
+
+Wave flood_onwards(Random& random, const Map& map, Cell start, MovementRule rule) {
+  return flood(random, map, start, [&](Cell cell, std::size_t arrival) {
+    return onward_table(rule)[arrival][map.around(cell)];
+  });
+}
+
+TEST_CASE("canonical and onward steps reach every cell as cheaply as all steps do in any order",
           "[grid]") {
   const std::uint64_t seed = 1;
   Random random(seed);
@@ -183,9 +222,12 @@ TEST_CASE("canonical steps reach every cell as cheaply as all steps do, whatever
     if (!map.is_free(start.x, start.y)) continue;
     const Wave all = flood_all(random, map, start, rule);
     const Wave canonical = flood_canonical(random, map, start, rule);
+    const Wave onwards = flood_onwards(random, map, start, rule);
     INFO("seed " << seed << ", round " << round << ", rule " << static_cast<int>(rule));
     CHECK(canonical.costs == all.costs);
+    CHECK(onwards.costs == all.costs);
     CHECK(canonical.steps <= all.steps);
+    CHECK(onwards.steps <= all.steps);
     saved += all.steps - canonical.steps;
     for (const Cost cost : all.costs) reached += cost != unreached ? 1 : 0;
   }

@@ -58,31 +58,33 @@ constexpr SuccessorTable successor_table(MovementRule rule) {
 /// orderings on grids".
 using CanonicalTable = std::array<SuccessorTable, 9>;
 
-/// Cost of the cheapest path from one neighbour of a cell to another that avoids the cell itself,
-/// in at most two steps; longer paths are never better.
-constexpr Cost cost_around(Neighbourhood around, std::size_t from, std::size_t to,
-                           MovementRule rule) {
-  constexpr Cost none = 1 << 30;
+/// Cost of the step from one cell to another, given as offsets from the middle of a neighbourhood
+/// whose middle is free; `no_way` if there is no such step.
+constexpr Cost no_way = 1 << 30;
+constexpr Cost cost_between(Neighbourhood around, Cell a, Cell b, MovementRule rule) {
   const auto free = [&](Cell c) {
     // Neighbours are numbered row by row; the middle has no bit.
     const int index = 3 * (c.y + 1) + c.x + 1;
     return index == 4 || ((around >> (index < 4 ? index : index - 1)) & 1) != 0;
   };
-  const auto step_between = [&](Cell a, Cell b) {
-    const Cell d = b - a;
-    if (d.x < -1 || d.x > 1 || d.y < -1 || d.y > 1 || d == Cell{0, 0}) return none;
-    if (d.x == 0 || d.y == 0) return straight_cost;
-    const bool left = free(a + Cell{d.x, 0}), right = free(a + Cell{0, d.y});
-    const bool can = rule == MovementRule::allow ||
-                     (rule == MovementRule::no_cut && left && right) ||
-                     (rule == MovementRule::no_squeeze && (left || right));
-    return can ? diagonal_cost : none;
-  };
-  Cost best = step_between(steps[from], steps[to]);
+  const Cell d = b - a;
+  if (d.x < -1 || d.x > 1 || d.y < -1 || d.y > 1 || d == Cell{0, 0}) return no_way;
+  if (d.x == 0 || d.y == 0) return straight_cost;
+  const bool left = free(a + Cell{d.x, 0}), right = free(a + Cell{0, d.y});
+  const bool can = rule == MovementRule::allow || (rule == MovementRule::no_cut && left && right) ||
+                   (rule == MovementRule::no_squeeze && (left || right));
+  return can ? diagonal_cost : no_way;
+}
+
+/// Cost of the cheapest path from one neighbour of a cell to another that avoids the cell itself,
+/// in at most two steps; longer paths are never better.
+constexpr Cost cost_around(Neighbourhood around, std::size_t from, std::size_t to,
+                           MovementRule rule) {
+  Cost best = cost_between(around, steps[from], steps[to], rule);
   for (std::size_t middle = 0; middle < steps.size(); ++middle) {
     if (middle == from || !is_free(around, middle)) continue;
-    best = std::min(
-        best, step_between(steps[from], steps[middle]) + step_between(steps[middle], steps[to]));
+    best = std::min(best, cost_between(around, steps[from], steps[middle], rule) +
+                              cost_between(around, steps[middle], steps[to], rule));
   }
   return best;
 }
@@ -108,6 +110,31 @@ inline CanonicalTable make_canonical_table(MovementRule rule) {
   return table;
 }
 
+/// For each step of arrival (`no_step`: none) and every neighbourhood, the allowed steps but those
+/// back to the parent and to cells to which the parent has a step of its own: its expansion has
+/// reached those at no greater cost.
+inline CanonicalTable make_onward_table(MovementRule rule) {
+  CanonicalTable table{};
+  table[no_step] = successor_table(rule);
+  const auto can_step_to = [&](Neighbourhood around, std::size_t from, std::size_t to) {
+    const bool is_allowed = rule != MovementRule::four_connected || steps[from].x == steps[to].x ||
+                            steps[from].y == steps[to].y;
+    return is_allowed && cost_between(around, steps[from], steps[to], rule) < no_way;
+  };
+  for (std::size_t arrival = 0; arrival < no_step; ++arrival) {
+    const std::size_t from = opposite(arrival);
+    for (std::size_t i = 0; i < 256; ++i) {
+      const auto around = static_cast<Neighbourhood>(i | (1u << neighbour_bit[from]));
+      for (std::size_t step = 0; step < steps.size(); ++step) {
+        if (((table[no_step][i] >> step) & 1u) == 0 || step == from) continue;
+        if (can_step_to(around, from, step)) continue;
+        table[arrival][i] = static_cast<StepSet>(table[arrival][i] | (1u << step));
+      }
+    }
+  }
+  return table;
+}
+
 /// The successor table of a rule, built at its first use: as a constant expression it would add a
 /// fifth of a second to the compilation of every file that includes this header.
 inline const SuccessorTable& all_successors(MovementRule rule) {
@@ -118,26 +145,33 @@ inline const SuccessorTable& all_successors(MovementRule rule) {
   return tables[static_cast<std::size_t>(rule)];
 }
 
-/// The canonical table of a rule, built at its first use.
+/// The tables by step of arrival of a rule, built at their first use.
+struct ArrivalTables {
+  CanonicalTable canonical, onward;
+};
 template <MovementRule Rule>
-const CanonicalTable& canonical_table() {
-  static const CanonicalTable table = make_canonical_table(Rule);
-  return table;
+const ArrivalTables& arrival_tables() {
+  static const ArrivalTables tables{make_canonical_table(Rule), make_onward_table(Rule)};
+  return tables;
 }
-inline const CanonicalTable& canonical_table(MovementRule rule) {
+inline const ArrivalTables& arrival_tables(MovementRule rule) {
   switch (rule) {
     case MovementRule::no_squeeze:
-      return canonical_table<MovementRule::no_squeeze>();
+      return arrival_tables<MovementRule::no_squeeze>();
     case MovementRule::allow:
-      return canonical_table<MovementRule::allow>();
+      return arrival_tables<MovementRule::allow>();
     case MovementRule::four_connected:
-      return canonical_table<MovementRule::four_connected>();
+      return arrival_tables<MovementRule::four_connected>();
     case MovementRule::by_edge:
-      return canonical_table<MovementRule::by_edge>();
+      return arrival_tables<MovementRule::by_edge>();
     case MovementRule::no_cut:
       break;
   }
-  return canonical_table<MovementRule::no_cut>();
+  return arrival_tables<MovementRule::no_cut>();
 }
+inline const CanonicalTable& canonical_table(MovementRule rule) {
+  return arrival_tables(rule).canonical;
+}
+inline const CanonicalTable& onward_table(MovementRule rule) { return arrival_tables(rule).onward; }
 
 }  // namespace tutavia::detail

@@ -39,6 +39,11 @@ struct EnumNames<HeuristicKind> {
 };
 
 template <>
+struct EnumNames<AStar::Successors> {
+  static constexpr std::array<std::string_view, 2> names{"canonical", "all"};
+};
+
+template <>
 struct EnumNames<NodePlacement> {
   static constexpr std::array<std::string_view, 2> names{"cell_centre", "cell_corner"};
 };
@@ -76,6 +81,8 @@ struct OptionTable<AStar> {
       field<&AStar::heuristic>(
           "heuristic", "",
           "estimate of the distance to the goal; manhattan overestimates diagonals"),
+      field<&AStar::successors>("successors", "",
+                                "steps from a cell: those of one of many equal paths, or all"),
       data<&AStar::costs>());
 };
 

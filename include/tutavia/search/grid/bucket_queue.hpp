@@ -49,11 +49,16 @@ class BucketQueue {
     occupied_ |= std::uint64_t{1} << bucket;
   }
 
+  /// A lower bound on all keys of the bucket selected last.
+  Cost current() const { return static_cast<Cost>(current_ << Shift); }
+  /// Whether a key belongs to the bucket selected last.
+  bool is_current(Cost key) const { return static_cast<std::uint64_t>(key) >> Shift == current_; }
+
   /// Selects the first non-empty bucket and returns a lower bound on all keys. \pre not empty
   Cost seek_first() {
     const auto rotation = static_cast<int>(current_ % 64);
     current_ += static_cast<unsigned>(std::countr_zero(std::rotr(occupied_, rotation)));
-    return static_cast<Cost>(current_ << Shift);
+    return current();
   }
 
   /// Removes and returns an entry of the bucket that `seek_first` selected.

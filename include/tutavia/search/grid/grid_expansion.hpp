@@ -78,26 +78,30 @@ class GridExpansion {
 
   /// Pops the next cell with f < limit into `out`; false if there is none.
   bool pop(Cost limit, Popped& out) {
+    if (is_held_) {
+      is_held_ = false;
+      if (open_.current() >= limit) return false;
+      if (is_below(limit, held_)) {
+        out = held_;
+        return true;
+      }
+    }
     while (!open_.empty()) {
       const Cost bucket = open_.seek_first();
       if (bucket >= limit) return false;
       const BucketEntry entry = open_.pop();
       const std::uint64_t label = labels_[entry.node];
       if (LabelWords::tag(label) != entry.tag) continue;  // a cheaper path was found since
-      const Cell cell = grid_.cell(entry.node);
-      const Cost g = labels_.words().g(label);
-      if (bucket > limit - open_.width && g + heuristic_(cell) >= limit) continue;
-      out = {entry.node, cell, g, LabelWords::arrival(label)};
-      return true;
+      out = {entry.node, grid_.cell(entry.node), labels_.words().g(label),
+             LabelWords::arrival(label)};
+      if (is_below(limit, out)) return true;
     }
     return false;
   }
 
   void expand(const Popped& from) {
     context_.count_expanded(from.cell);
-    unsigned left = tables_[is_canonical ? from.arrival : 0][grid_.neighbourhood(from.index)];
-    const bool has_parent = !is_canonical && from.arrival != no_step;
-    if (has_parent) left &= ~(1u << opposite(from.arrival));
+    unsigned left = tables_[from.arrival][grid_.neighbourhood(from.index)];
     while (left != 0) {
       const auto step = static_cast<unsigned>(std::countr_zero(left));
       left &= left - 1;
@@ -111,11 +115,15 @@ class GridExpansion {
   const GridLabels::View& labels() const { return labels_; }
 
  private:
-  static constexpr bool is_canonical = Successors == SuccessorRule::canonical;
-
-  /// Indexed by the step of arrival; a single table if the search is not canonical.
+  /// Indexed by the step of arrival.
   static const SuccessorTable* tables(MovementRule rule) {
-    return is_canonical ? canonical_table(rule).data() : &all_successors(rule);
+    const bool is_canonical = Successors == SuccessorRule::canonical;
+    return (is_canonical ? canonical_table(rule) : onward_table(rule)).data();
+  }
+
+  /// Whether f of a cell from the current bucket is below a limit.
+  bool is_below(Cost limit, const Popped& cell) const {
+    return open_.current() <= limit - open_.width || f(cell) < limit;
   }
 
   static Cost least_f(const Heuristic& heuristic, std::span<const CellLink> seeds) {
@@ -129,7 +137,18 @@ class GridExpansion {
     if (!labels_.improve(index, label)) return;
     context_.count_generated(cell);
     if (step != no_step) labels_.prefetch(index + offsets_[step]);  // likely to be next
-    open_.push(g + heuristic_(cell), index, LabelWords::tag(label));
+    const Cost key = g + heuristic_(cell);
+    // The last cell of the current bucket comes next: it is held back, not pushed and popped.
+    if (step != no_step && open_.is_current(key)) {
+      if (is_held_) {
+        const std::uint64_t before = labels_.words().word(held_.g, held_.arrival);
+        open_.push(open_.current(), held_.index, LabelWords::tag(before));
+      }
+      held_ = {index, cell, g, step};
+      is_held_ = true;
+      return;
+    }
+    open_.push(key, index, LabelWords::tag(label));
   }
 
   SearchContext<S, O>& context_;
@@ -139,6 +158,8 @@ class GridExpansion {
   GridLabels::View labels_;
   BucketQueue<Heuristic::bucket_shift> open_;
   std::array<std::uint32_t, 8> offsets_{};
+  Popped held_{};
+  bool is_held_ = false;
 };
 
 }  // namespace tutavia::detail
