@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "map_benchmark.hpp"
+#include "tutavia/planner.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/bidirectional_astar.hpp"
 #include "tutavia/search/dijkstra.hpp"
@@ -21,10 +23,17 @@
 #include "tutavia/search/rea_star.hpp"
 #include "tutavia/search/ssa_astar.hpp"
 #include "tutavia/search/weighted_astar.hpp"
+#include "tutavia/smooth/no_smoothing.hpp"
+#include "tutavia/smooth/taut_string.hpp"
 
 namespace {
 
 using namespace map_benchmark;
+
+/// The grid with the planes of its jumps.
+std::size_t jump_bytes(const CellSpace& space) {
+  return grid_bytes(space) + space.stop_planes().memory() + space.turn_planes().memory();
+}
 
 /// The whole map from every query's start, and the path to its goal: compare with whole-map
 /// searches.
@@ -38,6 +47,20 @@ Engine flow_field_engine(const CellSpace& space) {
     return {route->cost, field->stats().expanded, field->stats().generated, route->curve};
   };
   return {run, 0, grid_bytes(space)};
+}
+
+/// A whole plan: search, smoothing, proof and metrics.
+template <class Search, class Smooth>
+Engine plan_engine(const CellSpace& space, const Search& search, const Smooth& smoother,
+                   std::size_t bytes) {
+  auto planner = std::make_shared<Planner<Search, Smooth>>(search, smoother);
+  const auto run = [&space, planner](Cell start, Cell goal) -> Engine::Answer {
+    const auto plan = planner->plan(
+        space, {.start = space.frame().point(start), .goal = space.frame().point(goal)});
+    if (!plan) return {};
+    return {plan->route.cost, plan->route.stats.expanded, plan->route.stats.generated, plan->curve};
+  };
+  return {run, 0, bytes};
 }
 
 /// SSA-A* in both settings; without its term for the density of obstacles; with one of its
@@ -84,15 +107,16 @@ Engines engines() {
       {"flow_field", flow_field_engine},
       {"dijkstra", [](const CellSpace& s) { return engine(s, Dijkstra{}, grid_bytes(s)); }},
       {"jps",
-       [](const CellSpace& s) {
-         return engine(s, Jps{},
-                       grid_bytes(s) + s.stop_planes().memory() + s.turn_planes().memory());
-       }},
+       [](const CellSpace& s) { return engine(s, Jps{}, jump_bytes(s)); }},
       {"jps_plus",
        [](const CellSpace& s) {
          return prepared_engine<JpsPlus>(s, grid_bytes(s),
                                          [](const auto& table) { return JpsPlus{table}; });
        }},
+      {"jps_plan",
+       [](const CellSpace& s) { return plan_engine(s, Jps{}, NoSmoothing{}, jump_bytes(s)); }},
+      {"jps_plan_taut_string",
+       [](const CellSpace& s) { return plan_engine(s, Jps{}, TautString{}, jump_bytes(s)); }},
       {"rea_star",
        [](const CellSpace& s) { return engine(s, ReaStar{}, grid_bytes(s) + grid_bytes(s)); }},
       {"textbook_astar",
