@@ -106,8 +106,7 @@ Engines engines() {
        [](const CellSpace& s) { return engine(s, PenaltyAStar{0}, grid_bytes(s)); }},
       {"flow_field", flow_field_engine},
       {"dijkstra", [](const CellSpace& s) { return engine(s, Dijkstra{}, grid_bytes(s)); }},
-      {"jps",
-       [](const CellSpace& s) { return engine(s, Jps{}, jump_bytes(s)); }},
+      {"jps", [](const CellSpace& s) { return engine(s, Jps{}, jump_bytes(s)); }},
       {"jps_plus",
        [](const CellSpace& s) {
          return prepared_engine<JpsPlus>(s, grid_bytes(s),

@@ -205,7 +205,11 @@ PieceProof prove_distance(const S& space, const P& piece, double distance,
 /// Whether the piece is proved free: within the bounds, at the space's safety radius.
 template <ClearanceSpace S, class P>
 bool is_proved_free(const S& space, const P& piece) {
-  return prove_distance(space, piece, space.safety_radius()).status == ProofStatus::proved;
+  if constexpr (std::is_same_v<P, Segment>) {
+    return space.segment_free(piece.a, piece.b);  // exact, and faster than a distance
+  } else {
+    return prove_distance(space, piece, space.safety_radius()).status == ProofStatus::proved;
+  }
 }
 
 }  // namespace tutavia

@@ -67,8 +67,8 @@ struct AStar {
   };
 
   HeuristicKind heuristic = HeuristicKind::octile;
-  std::shared_ptr<const CellCosts> costs{};  ///< cost factors; null: all cells cost the same
   Successors successors = Successors::canonical;
+  std::shared_ptr<const CellCosts> costs{};  ///< cost factors; null: all cells cost the same
 
   template <GridSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,

@@ -173,13 +173,21 @@ class ChainFinder {
   }
 
  private:
-  /// Calls `visit(circle)` for the circles around vertices and discs near a box.
+  /// Calls `visit(circle)` for the circles around vertices and discs near a box. No string bends at
+  /// a vertex that is not convex, so those are left out where the space can tell.
   template <class Visit>
   void for_each_circle(const Box& box, int side, Visit visit) const {
-    space_.for_each_feature(box.inflated(radius_), [&](const Segment& core, double radius) {
-      // Every vertex is the first end of an edge.
-      visit(OrientedCircle{core.a, passing_radius(space_, radius), side});
-    });
+    const auto around = [&](const Point& center, double radius) {
+      visit(OrientedCircle{center, passing_radius(space_, radius), side});
+    };
+    if constexpr (CornerSpace<S>) {
+      space_.for_each_corner(box.inflated(radius_),
+                             [&](const Corner& corner) { around(corner.position, corner.radius); });
+    } else {
+      space_.for_each_feature(box.inflated(radius_), [&](const Segment& core, double radius) {
+        around(core.a, radius);  // every vertex is the first end of an edge
+      });
+    }
   }
 
   /// Removes obstacles that are duplicates, are bends already or lie within others.

@@ -86,6 +86,14 @@ class BlockedEdges {
     return {origin_.x() + size_ * cell.x, origin_.y() + size_ * cell.y};
   }
   bool blocked(Cell cell) const { return map_.contains(cell) && !map_.is_free(cell); }
+  /// Bits of the blocked cells of a row, from column x >= -1 on; none outside the map.
+  std::uint64_t blocked_from(int x, int y) const {
+    if (y < 0 || y >= map_.height()) return 0;
+    std::uint64_t bits = ~load_bits(map_.words().data(), map_.index({x, y}));
+    if (x < 0) bits &= ~std::uint64_t{1};
+    const int inside = map_.width() - x;
+    return inside < 64 ? bits & ((std::uint64_t{1} << inside) - 1) : bits;
+  }
   int column(double x) const { return cell_index(x, origin_.x(), map_.width()); }
   int row(double y) const { return cell_index(y, origin_.y(), map_.height()); }
   int cell_index(double x, double from, int count) const {
@@ -266,16 +274,30 @@ inline bool BlockedEdges::runs_inside(const Box& box) const {
 template <class Visit>
 void BlockedEdges::for_each_corner(const Box& box, Visit visit) const {
   const double margin = 2 * error_bound_;
-  for (int y = row(box.min.y() - margin); y <= row(box.max.y() + margin) + 1; ++y) {
-    for (int x = column(box.min.x() - margin); x <= column(box.max.x() + margin) + 1; ++x) {
-      const bool ne = blocked({x, y}), nw = blocked({x - 1, y}), sw = blocked({x - 1, y - 1}),
-                 se = blocked({x, y - 1});
-      const int count = ne + nw + sw + se;
-      const bool convex = count == 1 || (count == 2 && ne == sw);
-      const Point position = corner({x, y});
-      if (convex && box.contains(position)) {
-        visit(Corner{position, 0, std::numbers::pi / 2,
-                     static_cast<std::uint32_t>(map_.index({x, y}))});
+  const int first = std::max(column(box.min.x() - margin), 0);
+  const int last = std::min(column(box.max.x() + margin) + 1, map_.width());
+  constexpr int step = static_cast<int>(loaded_bits) - 1;
+  const int bottom = std::max(row(box.min.y() - margin), 0);
+  const int top = std::min(row(box.max.y() + margin) + 1, map_.height());
+  for (int x = first; x <= last; x += step) {
+    const int count = std::min(last - x + 1, step);
+    const std::uint64_t looked_at = (std::uint64_t{2} << count) - 1;  // columns x - 1 to last
+    std::uint64_t below = blocked_from(x - 1, bottom - 1) & looked_at;
+    for (int y = bottom; y <= top; ++y) {
+      const std::uint64_t above = blocked_from(x - 1, y) & looked_at;
+      // Bit i: the cells to the left (w) and right (e) of corner (x + i, y), above and below it.
+      const std::uint64_t nw = above, ne = above >> 1, sw = std::exchange(below, above),
+                          se = sw >> 1;
+      if ((nw | sw) == 0) continue;
+      const std::uint64_t one = (ne ^ nw ^ sw ^ se) & ~((ne & nw) | (sw & se));
+      const std::uint64_t opposite = ~(ne ^ sw) & ~(nw ^ se) & (ne ^ nw);
+      std::uint64_t corners = (one | opposite) & (looked_at >> 1);
+      for (; corners != 0; corners &= corners - 1) {
+        const Cell at{x + std::countr_zero(corners), y};
+        const Point position = corner(at);
+        if (!box.contains(position)) continue;
+        visit(
+            Corner{position, 0, std::numbers::pi / 2, static_cast<std::uint32_t>(map_.index(at))});
       }
     }
   }
