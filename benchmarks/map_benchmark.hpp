@@ -123,6 +123,22 @@ struct Row {
   double sum_of_ratios = 0, max_ratio = 0;  ///< length / optimal
   std::size_t vertices = 0;                 ///< of all paths, ends included
 
+  /// Counts one answer.
+  void count(const Engine::Answer& answer, double optimal, bool is_right) {
+    expanded += answer.expanded;
+    generated += answer.generated;
+    distinct += answer.distinct;
+    if (!std::isfinite(answer.cost)) {
+      ++failed;
+      return;
+    }
+    if (!is_right) ++wrong;
+    const double ratio = optimal > 0 ? answer.cost / optimal : 1;
+    sum_of_ratios += ratio;
+    max_ratio = std::max(max_ratio, ratio);
+    vertices += answer.curve.pieces().size() + 1;
+  }
+
   double answers() const {
     return static_cast<double>(std::max<std::size_t>(1, micros.size() - failed));
   }
@@ -142,11 +158,46 @@ struct Row {
   }
 };
 
+/// The order in which searches and queries take turns within a round, and with it what the caches
+/// hold when a query starts.
+enum class Caches {
+  shared,  ///< a search answers all queries once: its own data, as far as they are not too many
+  warm,    ///< a search answers all queries three times, the last two are timed
+  cold,    ///< all searches answer one query before the next, and each starts after 8 MB of others'
+};
+
 struct Arguments {
   std::string map, scen, all, csv;
   std::vector<std::string> searches;
   std::size_t queries = 50, rounds = 3;
+  Caches caches = Caches::shared;
 };
+
+/// Replaces what the first two levels of cache hold.
+inline void sweep_caches() {
+  static std::vector<unsigned char> memory(std::size_t{8} << 20);
+  for (std::size_t i = 0; i < memory.size(); i += 64) ++memory[i];
+}
+
+/// Calls `run(search, query, is_timed)` in the order of the caches.
+template <class Run>
+void take_turns(Caches caches, std::size_t searches, std::size_t queries, const Run& run) {
+  if (caches == Caches::cold) {
+    for (std::size_t q = 0; q < queries; ++q) {
+      for (std::size_t s = 0; s < searches; ++s) {
+        sweep_caches();
+        run(s, q, true);
+      }
+    }
+    return;
+  }
+  const int times = caches == Caches::warm ? 3 : 1;
+  for (std::size_t s = 0; s < searches; ++s) {
+    for (int time = 0; time < times; ++time) {
+      for (std::size_t q = 0; q < queries; ++q) run(s, q, times == 1 || time > 0);
+    }
+  }
+}
 
 /// Runs all searches on one map, in turn within every round.
 inline std::vector<Row> run_map(const Benchmark& benchmark, const std::string& map,
@@ -185,26 +236,18 @@ inline std::vector<Row> run_map(const Benchmark& benchmark, const std::string& m
     rows.push_back(row);
   }
   for (std::size_t round = 0; round < args.rounds; ++round) {
-    for (std::size_t s = 0; s < searches.size(); ++s) {
-      for (std::size_t q = 0; q < queries.size(); ++q) {
-        const auto begin = Clock::now();
-        const Engine::Answer answer = searches[s].run(queries[q].start, queries[q].goal);
-        rows[s].micros[q] = std::min(rows[s].micros[q], micros_since(begin));
-        if (round > 0) continue;
-        rows[s].expanded += answer.expanded;
-        rows[s].generated += answer.generated;
-        rows[s].distinct += answer.distinct;
-        if (!std::isfinite(answer.cost)) {
-          ++rows[s].failed;
-          continue;
-        }
-        if (!benchmark.is_right(space, rows[s].search, answer, optimal[q])) ++rows[s].wrong;
-        const double ratio = optimal[q] > 0 ? answer.cost / optimal[q] : 1;
-        rows[s].sum_of_ratios += ratio;
-        rows[s].max_ratio = std::max(rows[s].max_ratio, ratio);
-        rows[s].vertices += answer.curve.pieces().size() + 1;
-      }
-    }
+    std::vector<std::vector<bool>> counted(searches.size(), std::vector<bool>(queries.size()));
+    take_turns(args.caches, searches.size(), queries.size(),
+               [&](std::size_t s, std::size_t q, bool is_timed) {
+                 const auto begin = Clock::now();
+                 const Engine::Answer answer = searches[s].run(queries[q].start, queries[q].goal);
+                 const double micros = micros_since(begin);
+                 if (is_timed) rows[s].micros[q] = std::min(rows[s].micros[q], micros);
+                 if (round > 0 || counted[s][q]) return;
+                 counted[s][q] = true;
+                 rows[s].count(answer, optimal[q],
+                               benchmark.is_right(space, rows[s].search, answer, optimal[q]));
+               });
   }
   return rows;
 }
@@ -325,6 +368,11 @@ inline int main(const Benchmark& benchmark, int argc, char** argv) {
   app.add_option("--rounds", args.rounds, "Least time over so many rounds")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  app.add_option("--caches", args.caches,
+                 "warm: a search repeats its queries; cold: after 8 MB of other data; shared: "
+                 "searches take turns")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Caches>{
+          {"shared", Caches::shared}, {"warm", Caches::warm}, {"cold", Caches::cold}}));
   app.add_option("--csv", args.csv, "Write the figures to a file");
   return bench::run_program(app, argc, argv, [&] { return run(benchmark, args); });
 }

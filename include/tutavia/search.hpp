@@ -22,6 +22,7 @@
 #include "tutavia/search/jps_theta_star.hpp"
 #include "tutavia/search/jump_table.hpp"
 #include "tutavia/search/lazy_theta_star.hpp"
+#include "tutavia/search/mesh_on_demand.hpp"
 #include "tutavia/search/navigation_mesh.hpp"
 #include "tutavia/search/neighbours.hpp"
 #include "tutavia/search/node_placement.hpp"

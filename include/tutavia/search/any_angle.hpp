@@ -13,6 +13,7 @@
 #include "tutavia/search/mesh/convex_pieces.hpp"
 #include "tutavia/search/mesh/interval_scratch.hpp"
 #include "tutavia/search/mesh/polyanya.hpp"
+#include "tutavia/search/mesh_on_demand.hpp"
 #include "tutavia/search/navigation_mesh.hpp"
 #include "tutavia/search/query_checks.hpp"
 #include "tutavia/space/cell_space.hpp"
@@ -31,7 +32,7 @@ namespace tutavia {
 ///
 /// Searches the sides of convex pieces, split into the intervals visible from each bend of the
 /// path. The pieces are the free runs of rows, found during the search, or the polygons of a mesh
-/// prepared for the grid, which is many times faster.
+/// prepared for the grid, which is many times faster; `prepare_after` makes one when it pays.
 ///
 /// Errors: `invalid_option` for a safety radius other than 0 and for a mesh of another size (a mesh
 /// of another grid of the same size is not detected); those of `check_query`; `unreachable`
@@ -48,6 +49,15 @@ struct AnyAngle {
   using Prepared = NavigationMesh;
 
   std::shared_ptr<const NavigationMesh> mesh{};  ///< null: searches the free runs of rows
+  /// Makes the mesh of one space after some queries; see `prepare_after`. Without effect with
+  /// `mesh`.
+  std::shared_ptr<MeshOnDemand> mesh_on_demand{};
+
+  /// A search that makes a mesh at its n-th query in a space; its copies share the mesh. Which of
+  /// several paths of equal length is found may depend on the number of earlier queries.
+  static AnyAngle prepare_after(std::uint32_t queries) {
+    return {.mesh_on_demand = std::make_shared<MeshOnDemand>(queries)};
+  }
 
   /// The mesh of a space's cells. Errors: those of `NavigationMesh::build`.
   static Expected<std::shared_ptr<const NavigationMesh>, Failure> prepare(const CellSpace& space) {
@@ -63,8 +73,11 @@ struct AnyAngle {
       return fail(PlanError::invalid_option, "any_angle is defined for safety radius 0");
     }
     if (auto valid = check_query(space, query); !valid) return std::move(valid).unexpected();
-    if (mesh == nullptr)
+    if (mesh == nullptr) {
+      const NavigationMesh* made = mesh_on_demand != nullptr ? mesh_on_demand->next(space) : nullptr;
+      if (made != nullptr) return search_in(*made, space, query, scratch, observer);
       return search_in(detail::FreeRuns(space.cells()), space, query, scratch, observer);
+    }
     if (mesh->width() != space.cells().width() || mesh->height() != space.cells().height()) {
       return fail(PlanError::invalid_option, "any_angle needs the mesh prepared for this grid");
     }

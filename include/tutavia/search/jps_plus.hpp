@@ -59,7 +59,7 @@ struct JpsPlus {
     const JumpTable& table;
     detail::Places places;
 
-    void prefetch(std::uint32_t index) const { tutavia::detail::prefetch(&table.row(index)); }
+    void prefetch(std::uint32_t index) const { detail::prefetch_for_reading(&table.row(index)); }
 
     detail::Jump straight(std::size_t step, std::size_t from) const {
       const int jump = table.jump(from, step), length = std::abs(jump);

@@ -13,10 +13,17 @@
 
 namespace tutavia::detail {
 
-/// Prefetches memory that will soon be written or read.
+/// Prefetches memory that will soon be written.
 inline void prefetch([[maybe_unused]] const void* memory) {
 #if defined(__GNUC__)
   __builtin_prefetch(memory, 1);
+#endif
+}
+
+/// Prefetches memory that will soon be read, and leaves it to other threads as well.
+inline void prefetch_for_reading([[maybe_unused]] const void* memory) {
+#if defined(__GNUC__)
+  __builtin_prefetch(memory, 0);
 #endif
 }
 

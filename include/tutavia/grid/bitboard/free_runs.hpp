@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,7 @@
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
-/// FreeRuns: the free cells of a grid as rectangles one cell high.
+/// FreeRuns: the free cells of a grid as rectangles.
 
 namespace tutavia::detail {
 
@@ -23,68 +24,90 @@ struct CellBox {
   friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
-/// The maximal free runs of every row, read from the grid's bits on demand: a decomposition of free
-/// space into convex pieces that needs no preparation.
+/// The maximal free runs of every row, read from the grid's bits on demand; equal runs of
+/// successive rows form one rectangle. A decomposition of free space into convex pieces that needs
+/// no preparation.
 ///
-/// Two runs are neighbours if they share a side of positive length. Runs that touch at a corner
+/// Two pieces are neighbours if they share a side of positive length. Pieces that touch at a corner
 /// only are not, so no path passes between two blocked cells that touch.
 class FreeRuns {
  public:
-  /// A run, given by the index of any of its cells.
+  /// A piece, given by the index of any of its cells.
   using Piece = std::uint32_t;
 
   explicit FreeRuns(const OccupancyGrid& grid) : grid_(grid) {}
 
   CellBox open(Piece piece) const {
     const Cell cell = grid_.cell(piece);
-    return {first(cell), cell.y, grid_.run_end(cell.y, cell.x, true), cell.y + 1};
+    CellBox box{first(cell), cell.y, grid_.run_end(cell.y, cell.x, true), cell.y + 1};
+    while (is_run(box, box.y0 - 1)) --box.y0;
+    while (is_run(box, box.y1)) ++box.y1;
+    return box;
   }
 
-  /// Calls `visit(piece)` for every run that touches a cell.
+  /// Calls `visit(piece)` once for every piece that touches a cell.
   template <class Visit>
   void for_each_near(Cell cell, const Visit& visit) const {
+    std::array<CellBox, 6> seen;
+    std::size_t count = 0;
     for (int y = std::max(cell.y - 1, 0); y <= std::min(cell.y + 1, grid_.height() - 1); ++y) {
-      const int begin = std::max(cell.x - 1, 0), end = std::min(cell.x + 2, grid_.width());
-      for (int x = begin; x < end; ++x) {
-        const bool known = x > begin && grid_.is_free(Cell{x - 1, y});
-        if (!known && grid_.is_free(Cell{x, y})) visit(piece({x, y}));
+      for (int x = std::max(cell.x - 1, 0); x < std::min(cell.x + 2, grid_.width()); ++x) {
+        if (!grid_.is_free(Cell{x, y})) continue;
+        const CellBox box = open(piece({x, y}));
+        if (std::find(seen.begin(), seen.begin() + count, box) != seen.begin() + count) continue;
+        seen[count++] = box;  // two runs in each of three rows at most
+        visit(piece({x, y}));
       }
     }
   }
 
-  /// Whether a point lies in a run or on its border; `coordinates(corner)` gives the position of a
-  /// corner.
+  /// Whether a point lies in a piece or on its border; `coordinates(corner)` gives the position of
+  /// a corner.
   template <class Coords>
   bool holds(Piece piece, const Point& p, const Coords& coordinates) const {
     const CellBox box = open(piece);
     return Box{coordinates(Cell{box.x0, box.y0}), coordinates(Cell{box.x1, box.y1})}.contains(p);
   }
 
-  /// Calls `visit(right, left, piece)` for every side that the box of a run shares with a
+  /// Calls `visit(right, left, piece)` for every side that the box of a piece shares with a
   /// neighbour. `right` and `left` are the ends of the side as seen from inside.
   template <class Visit>
   void for_each_exit(const CellBox& box, const Visit& visit) const {
-    for_each_run(box.y0 - 1, box, [&](int x0, int x1) {
-      visit(Cell{x0, box.y0}, Cell{x1, box.y0}, piece({x0, box.y0 - 1}));
-    });
-    for_each_run(box.y1, box, [&](int x0, int x1) {
-      visit(Cell{x1, box.y1}, Cell{x0, box.y1}, piece({x0, box.y1}));
-    });
+    for_each_exit_between(box, Exits::below, box.x0, box.x1, visit);
+    for_each_exit_between(box, Exits::above, box.x0, box.x1, visit);
+  }
+
+  /// The same for the sides above or below the box that reach into columns [x0, x1).
+  enum class Exits { below, above };
+  template <class Visit>
+  void for_each_exit_between(const CellBox& box, Exits exits, int x0, int x1,
+                             const Visit& visit) const {
+    const int line = exits == Exits::above ? box.y1 : box.y0;
+    const int y = exits == Exits::above ? line : line - 1;
+    if (y < 0 || y >= grid_.height()) return;
+    x1 = std::min(x1, box.x1);
+    for (int x = std::max(x0, box.x0); x < x1;) {
+      int begin = grid_.run_end(y, x, false);
+      if (begin >= x1) return;
+      if (begin == x && x > box.x0) begin = std::max(first({x, y}), box.x0);
+      const int end = std::min(grid_.run_end(y, std::max(begin, x), true), box.x1);
+      const Cell left{begin, line}, right{end, line};
+      visit(exits == Exits::above ? right : left, exits == Exits::above ? left : right,
+            piece({begin, y}));
+      x = end;
+    }
   }
 
  private:
   Piece piece(Cell cell) const { return static_cast<Piece>(grid_.index(cell)); }
 
-  /// Calls `visit(x0, x1)` for the parts of a row's runs between the left and right side of a box.
-  template <class Visit>
-  void for_each_run(int y, const CellBox& box, const Visit& visit) const {
-    if (y < 0 || y >= grid_.height()) return;
-    for (int x = box.x0; x < box.x1;) {
-      const int begin = std::min(grid_.run_end(y, x, false), box.x1);
-      if (begin == box.x1) return;
-      x = std::min(grid_.run_end(y, begin, true), box.x1);
-      visit(begin, x);
-    }
+  /// Whether a box is as wide as a run of row y.
+  bool is_run(const CellBox& box, int y) const {
+    if (y < 0 || y >= grid_.height()) return false;
+    const std::size_t from = grid_.index({box.x0, y});
+    const auto length = static_cast<std::size_t>(box.x1 - box.x0);
+    return !grid_.is_free(from - 1) && !grid_.is_free(from + length) &&
+           grid_.run_end(y, box.x0, true) == box.x1;
   }
 
   /// The first column of the free run of a cell.

@@ -45,4 +45,13 @@ concept PiecesWithDeadEnds = ConvexPieces<P> && requires(const P& pieces, std::u
   { pieces.dead_end_limit() } -> std::same_as<std::size_t>;
 };
 
+/// Pieces that are rectangles with neighbours above and below, of which those within some columns
+/// can be asked for (see FreeRuns).
+template <class P>
+concept RectangularPieces = ConvexPieces<P> &&
+    requires(const P& pieces, std::uint32_t piece, int x,
+             void (*visit_exit)(Cell, Cell, std::uint32_t)) {
+  pieces.for_each_exit_between(pieces.open(piece), P::Exits::above, x, x, visit_exit);
+};
+
 }  // namespace tutavia::detail

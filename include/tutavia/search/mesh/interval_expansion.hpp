@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -168,10 +169,15 @@ class IntervalExpansion {
   /// side, if a path may bend there.
   void expand_observable(const Node& node, const Opened& opened) {
     const Bends bends = bends_of(node);
-    if (holds_goal(opened)) improve_goal_beyond(node, bends);
-    for_each_other_exit(node, opened, [&](Cell right, Cell left, Piece beyond) {
-      expand_exit(node, bends, right, left, beyond);
-    });
+    const bool goal_here = holds_goal(opened);
+    if (goal_here) improve_goal_beyond(node, bends);
+    if constexpr (RectangularPieces<Pieces>) {
+      expand_view(node, opened, bends, goal_here);
+    } else {
+      for_each_other_exit(node, opened, [&](Cell right, Cell left, Piece beyond) {
+        expand_exit(node, bends, right, left, beyond);
+      });
+    }
   }
 
   void improve_goal_beyond(const Node& node, const Bends& bends) {
@@ -229,6 +235,93 @@ class IntervalExpansion {
       if (right == node.left && left == node.right) return;
       visit(right, left, beyond);
     });
+  }
+
+  /// What a root sees through the side by which a rectangle is entered: the part of a horizontal
+  /// line between two rays. Rounded; used to leave out what is certainly not seen.
+  struct View {
+    View(const IntervalGeometry& geometry, const Node& node, const CellBox& opened)
+        : is_upwards(opened.y0 == node.right.y),
+          from(geometry.position(node.root)),
+          low(is_upwards ? node.left_ray : node.right_ray),
+          high(is_upwards ? node.right_ray : node.left_ray) {}
+
+    /// Where a ray crosses a line; NaN or infinity if it does not.
+    double crossing(Cell ray, int line) const {
+      return from.x + (ray.x - from.x) * ((line - from.y) / (ray.y - from.y));
+    }
+    /// The columns [first, second) that hold what is seen on a line, and one more on each side;
+    /// within [x0, x1).
+    std::pair<int, int> columns(int line, int x0, int x1) const {
+      const double from_x = crossing(low, line), to_x = crossing(high, line);
+      return {from_x >= x0 + 1 ? static_cast<int>(std::fmin(from_x, x1)) - 1 : x0,
+              to_x <= x1 - 2 ? static_cast<int>(std::fmax(to_x, x0)) + 2 : x1};
+    }
+    /// The line beyond a box.
+    int ahead(const CellBox& box) const { return is_upwards ? box.y1 : box.y0; }
+
+    bool is_upwards;
+    IntervalGeometry::CellPoint from;
+    Cell low, high;  // on the rays with lower and higher x
+  };
+
+  /// Expands a rectangle: passes on to the last one that the view runs through without
+  /// reaching an end, and leaves out exits that the view and bends do not reach.
+  void expand_view(const Node& node, const Opened& opened, const Bends& bends, bool goal_here) {
+    const View view(geometry_, node, opened);
+    if (goal_here || bends.right || bends.left) {
+      expand_exits_in_reach(node, opened, bends, view);
+      return;
+    }
+    const Opened last = last_passed(opened, view);
+    if (holds_goal(last)) improve_goal_beyond(node, bends);
+    expand_exits_in_reach(node, last, bends, view);
+  }
+
+  /// The rectangle up to which a view passes through single runs of rows without reaching their
+  /// ends: its only successors are those of the last one.
+  Opened last_passed(const Opened& opened, const View& view) const {
+    const OccupancyGrid& cells = space_.cells();
+    const int step = view.is_upwards ? 1 : -1;
+    int line = view.ahead(opened), x = opened.x0;
+    auto [first, last] = view.columns(line, 0, cells.width());
+    if (first < opened.x0 || last > opened.x1) return opened;
+    bool passed = false;
+    while (true) {
+      const int row = view.is_upwards ? line : line - 1;
+      const bool may_hold_goal = std::abs(row + 0.5 - geometry_.goal().y) < 1;
+      if (row < 0 || row >= cells.height() || may_hold_goal) break;
+      const auto [next_first, next_last] = view.columns(line + step, 0, cells.width());
+      const int begin = std::min(first, next_first), end = std::max(last, next_last);
+      if (begin <= 0 || end >= cells.width() || cells.run_end(row, begin, true) < end) break;
+      passed = true;
+      x = begin;
+      line += step;
+      std::tie(first, last) = std::tie(next_first, next_last);
+    }
+    if (!passed) return opened;
+    const Cell cell{x, view.is_upwards ? line - 1 : line};
+    return pieces_.open(static_cast<Piece>(cells.index(cell)));
+  }
+
+  /// Expands the exits of a rectangle, but those that neither the root sees nor a bend leads to.
+  void expand_exits_in_reach(const Node& node, const Opened& opened, const Bends& bends,
+                             const View& view) {
+    using Exits = typename Pieces::Exits;
+    const auto expand = [&](Cell right, Cell left, Piece beyond) {
+      expand_exit(node, bends, right, left, beyond);
+    };
+    const bool bends_low = view.is_upwards ? bends.left : bends.right;
+    const bool bends_high = view.is_upwards ? bends.right : bends.left;
+    const auto [first, last] = view.columns(view.ahead(opened), opened.x0, opened.x1);
+    pieces_.for_each_exit_between(opened, view.is_upwards ? Exits::above : Exits::below,
+                                  bends_low ? opened.x0 : first, bends_high ? opened.x1 : last,
+                                  expand);
+    // A bend at an end of the side leads back beyond that end.
+    const Exits back = view.is_upwards ? Exits::below : Exits::above;
+    const auto [low_end, high_end] = std::minmax(node.right.x, node.left.x);
+    if (bends_low) pieces_.for_each_exit_between(opened, back, opened.x0, low_end, expand);
+    if (bends_high) pieces_.for_each_exit_between(opened, back, high_end, opened.x1, expand);
   }
 
   /// Records a path to a corner. Returns false if a path of at most this length is known. Ties keep

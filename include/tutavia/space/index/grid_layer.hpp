@@ -47,6 +47,9 @@ class GridLayer {
   const Frame& frame() const { return frame_; }
   MovementRule movement() const { return movement_; }
 
+  /// Equal for copies of a layer, and for no others.
+  std::shared_ptr<const void> identity() const { return lazy_; }
+
   /// Built at the first call, safely from several threads. Copies of the layer share them.
   const StopPlanes& stop_planes() const {
     std::call_once(lazy_->once, [this] { lazy_->planes.emplace(grid_); });
