@@ -19,13 +19,13 @@ namespace {
 
 using namespace tutavia;
 
-CellSpace random_space(std::uint64_t seed) {
+CellSpace noise_space(std::uint64_t seed) {
   Random random(seed);
   return CellSpace::build(test::noise_grid(random, 40, 30, 0.2)).value();
 }
 
 TEST_CASE("a mesh on demand comes with the query asked for, and for one space alone") {
-  const CellSpace space = random_space(1), copy = space, other = random_space(1);
+  const CellSpace space = noise_space(1), copy = space, other = noise_space(1);
   MeshOnDemand demand(3);
   CHECK(demand.next(space) == nullptr);
   CHECK(demand.next(copy) == nullptr);
@@ -41,13 +41,13 @@ TEST_CASE("a mesh on demand comes with the query asked for, and for one space al
 }
 
 TEST_CASE("threads that count queries together get one mesh") {
-  const CellSpace space = random_space(2);
+  const CellSpace space = noise_space(2);
   MeshOnDemand demand(50);
   std::atomic<std::size_t> without{0}, others{0};
   std::atomic<const NavigationMesh*> first{nullptr};
   const auto work = [&] {
     for (int i = 0; i < 100; ++i) {
-      const NavigationMesh* mesh = demand.next(space), *none = nullptr;
+      const NavigationMesh *mesh = demand.next(space), *none = nullptr;
       if (mesh == nullptr) {
         ++without;
       } else if (!first.compare_exchange_strong(none, mesh) && none != mesh) {
@@ -66,7 +66,7 @@ TEST_CASE("threads that count queries together get one mesh") {
 TEST_CASE("AnyAngle with a mesh on demand finds the same lengths before and after it") {
   const std::uint64_t seed = 3;
   Random random(seed);
-  const CellSpace space = random_space(4);
+  const CellSpace space = noise_space(4);
   const AnyAngle deferred = AnyAngle::prepare_after(10);
   std::size_t found = 0;
   for (int round = 0; round < 40; ++round) {

@@ -15,7 +15,7 @@ namespace {
 using namespace tutavia;
 using namespace tutavia::detail;
 
-bool is_free(const OccupancyGrid& grid, Cell cell) {
+bool is_free_cell(const OccupancyGrid& grid, Cell cell) {
   return grid.contains(cell) && grid.is_free(cell);
 }
 
@@ -24,20 +24,21 @@ bool is_free(const OccupancyGrid& grid, Cell cell) {
 bool leads_to_jump_point(const OccupancyGrid& grid, Cell cell, std::size_t step) {
   while (true) {
     cell = cell + steps[step];
-    if (!is_free(grid, cell)) return false;
+    if (!is_free_cell(grid, cell)) return false;
     for (const std::size_t turn : {2u, 6u}) {
       const Cell side = cell + steps[(step + turn) % 8];
-      if (is_free(grid, side) && !is_free(grid, side - steps[step])) return true;
+      if (is_free_cell(grid, side) && !is_free_cell(grid, side - steps[step])) return true;
     }
   }
 }
 
 /// The number of diagonal steps after which a walk first ends or may turn.
-int walk(const OccupancyGrid& grid, Cell cell, std::size_t step) {
+int walk_diagonal(const OccupancyGrid& grid, Cell cell, std::size_t step) {
   const std::size_t left = (step + 1) % 8, right = step - 1;
   for (int count = 1;; ++count) {
-    const bool allowed = is_free(grid, cell + steps[step]) && is_free(grid, cell + steps[left]) &&
-                         is_free(grid, cell + steps[right]);
+    const bool allowed = is_free_cell(grid, cell + steps[step]) &&
+                         is_free_cell(grid, cell + steps[left]) &&
+                         is_free_cell(grid, cell + steps[right]);
     if (!allowed) return count;
     cell = cell + steps[step];
     if (leads_to_jump_point(grid, cell, left) || leads_to_jump_point(grid, cell, right)) {
@@ -46,7 +47,7 @@ int walk(const OccupancyGrid& grid, Cell cell, std::size_t step) {
   }
 }
 
-void check_all_jumps(const OccupancyGrid& grid) {
+void check_all_turns(const OccupancyGrid& grid) {
   const TurnPlanes turns(grid, StopPlanes(grid));
   std::size_t wrong = 0;
   for (int y = 0; y < grid.height(); ++y) {
@@ -54,7 +55,8 @@ void check_all_jumps(const OccupancyGrid& grid) {
       if (!grid.is_free(Cell{x, y})) continue;
       for (std::size_t step = 1; step < 8; step += 2) {
         const TurnPlanes::Plane plane = turns.plane(step);
-        const int expected = walk(grid, {x, y}, step), found = plane.jump(plane.bit({x, y}));
+        const int expected = walk_diagonal(grid, {x, y}, step),
+                  found = plane.jump(plane.bit({x, y}));
         if (found == expected) continue;
         if (++wrong == 1) {
           FAIL_CHECK("cell " << x << ", " << y << ", step " << step << ": jumps " << found
@@ -77,8 +79,8 @@ TEST_CASE("a diagonal jump goes as far as a walk that looks at every cell", "[gr
       const double density = densities[random.below(std::size(densities))];
       INFO("seed " << seed << ", round " << round << ", " << width << " x " << height
                    << ", density " << density);
-      check_all_jumps(test::noise_grid(random, width, height, density));
-      check_all_jumps(test::noise_grid(random, height, width, density));
+      check_all_turns(test::noise_grid(random, width, height, density));
+      check_all_turns(test::noise_grid(random, height, width, density));
     }
   }
 }
@@ -87,9 +89,9 @@ TEST_CASE("diagonals wrap around grids far higher than wide, and wider than high
   Random random(2);
   for (const double density : {0.0, 0.01, 0.2}) {
     CAPTURE(density);
-    check_all_jumps(test::noise_grid(random, 3, 1500, density));
-    check_all_jumps(test::noise_grid(random, 1500, 3, density));
-    check_all_jumps(test::noise_grid(random, 1, 700, density));
+    check_all_turns(test::noise_grid(random, 3, 1500, density));
+    check_all_turns(test::noise_grid(random, 1500, 3, density));
+    check_all_turns(test::noise_grid(random, 1, 700, density));
   }
 }
 
