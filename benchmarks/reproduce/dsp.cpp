@@ -66,7 +66,7 @@ Task run_task(const Scene& scene, const Point& goal, const std::string& table,
   const auto& [strict, uniform] = spaces;
   task.paper_astar = search(AStar{.heuristic = HeuristicKind::euclidean}, strict, query, options);
   task.paper_dsp = smooth(as_printed, strict, task.paper_astar, options);
-  task.library_astar = search(AStar{}, uniform, query, options);
+  task.library_astar = search(AStar{.successors = AStar::Successors::all}, uniform, query, options);
   task.library_dsp = smooth(DeltaSmoother{}, uniform, task.library_astar, options);
   task.optimum = search(TangentGraph{}, uniform, query, options);
   const Run along_shortest = smooth(ClothoidSmoother{}, uniform, task.optimum, options);
@@ -177,7 +177,7 @@ Comparison compare_searches(const Scene& scene, const std::array<LatticeSpace, 2
   result.dsp = smooth(as_printed, strict, result.astar, options);
   result.theta = search(ThetaStar{}, strict, query, options);
   result.penalty = search(PenaltyAStar{}, strict, query, options);
-  const Run astar = search(AStar{}, uniform, query, options);
+  const Run astar = search(AStar{.successors = AStar::Successors::all}, uniform, query, options);
   const std::array library{astar, smooth(DeltaSmoother{}, uniform, astar, options),
                            search(ThetaStar{}, uniform, query, options),
                            search(PenaltyAStar{}, uniform, query, options)};
@@ -298,7 +298,9 @@ std::vector<Claim> claims_of(const std::vector<Task>& tasks, const Comparison& c
   claims.push_back(
       {"(of this library) The best plan is shorter than the published path and turns less",
        s.best_wins == 12 ? Verdict::reproduced : Verdict::not_so,
-       std::to_string(s.best_wins) + " of 12 tasks, each proved; the default plan is shorter on " +
+       std::to_string(s.best_wins) +
+           " of 12 tasks, each proved; the default smoother after A* with all successors is "
+           "shorter on " +
            std::to_string(s.default_shorter) + " of 12"});
   return claims;
 }

@@ -59,7 +59,8 @@ inline std::vector<test::PaperTask> training_tasks(bool clustered, int size, std
     auto space = CellSpace::build(std::move(grid), {.movement = MovementRule::allow}).value();
     const Query query{.start = space.frame().point({0, 0}),
                       .goal = space.frame().point({size - 1, size - 1})};
-    const auto route = AStar{}.search(space, query, scratch, no_observer);
+    const auto route =
+        AStar{.successors = AStar::Successors::all}.search(space, query, scratch, no_observer);
     if (route && route->cost <= 1.16 * std::sqrt(2.0) * (size - 1)) {
       tasks.push_back({std::move(space), query});
     }

@@ -560,7 +560,8 @@ TEST_CASE("algorithms take options, and results say all of them") {
   CHECK(results[0]["search"] == "astar");
   CHECK(results[0]["smoother"] == "delta");
   CHECK(results[2]["smoother"] == "shortcut+bezier");
-  CHECK(results[0]["options"]["search"] == nlohmann::json{{"heuristic", "euclidean"}});
+  CHECK(results[0]["options"]["search"] ==
+        nlohmann::json{{"heuristic", "euclidean"}, {"successors", "canonical"}});
   CHECK(results[3]["options"]["search"] == nlohmann::json::object());
   const auto tree = results[6]["options"]["search"];
   CHECK(tree.size() == 5);

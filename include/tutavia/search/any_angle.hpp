@@ -74,9 +74,11 @@ struct AnyAngle {
     }
     if (auto valid = check_query(space, query); !valid) return std::move(valid).unexpected();
     if (mesh == nullptr) {
-      const NavigationMesh* made = mesh_on_demand != nullptr ? mesh_on_demand->next(space) : nullptr;
+      const NavigationMesh* made =
+          mesh_on_demand != nullptr ? mesh_on_demand->next(space) : nullptr;
       if (made != nullptr) return search_in(*made, space, query, scratch, observer);
-      return search_in(detail::FreeRuns(space.cells()), space, query, scratch, observer);
+      const detail::FreeRuns runs(space.cells(), detail::FreeRuns::EqualRuns::joined);
+      return search_in(runs, space, query, scratch, observer);
     }
     if (mesh->width() != space.cells().width() || mesh->height() != space.cells().height()) {
       return fail(PlanError::invalid_option, "any_angle needs the mesh prepared for this grid");

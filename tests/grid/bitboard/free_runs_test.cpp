@@ -25,13 +25,15 @@ FreeRuns::Piece piece_at(const OccupancyGrid& grid, Cell cell) {
   return static_cast<FreeRuns::Piece>(grid.index(cell));
 }
 
-/// The free run of a cell and equal runs above and below it, by walking.
-CellBox walked(const OccupancyGrid& grid, Cell cell) {
+using EqualRuns = FreeRuns::EqualRuns;
+
+/// The free run of a cell, with equal runs above and below it if these are joined, by walking.
+CellBox walked(const OccupancyGrid& grid, Cell cell, EqualRuns equal) {
   CellBox box{cell.x, cell.y, cell.x + 1, cell.y + 1};
   while (grid.is_free(Cell{box.x0 - 1, cell.y})) --box.x0;
   while (grid.is_free(Cell{box.x1, cell.y})) ++box.x1;
   const auto is_run = [&](int y) {
-    if (y < 0 || y >= grid.height()) return false;
+    if (equal == EqualRuns::apart || y < 0 || y >= grid.height()) return false;
     bool is_free = true;
     for (int x = box.x0; x < box.x1; ++x) is_free = is_free && grid.is_free(Cell{x, y});
     return is_free && !grid.is_free(Cell{box.x0 - 1, y}) && !grid.is_free(Cell{box.x1, y});
@@ -48,11 +50,12 @@ TEST_CASE("any cell of a run opens all of it, over many words of a row", "[grid]
     INFO("seed " << seed << ", round " << round);
     const double density = round % 2 == 0 ? 0.01 : 0.3;
     const OccupancyGrid grid = test::noise_grid(random, 300, 4, density);
-    const FreeRuns runs(grid);
+    const EqualRuns equal = round % 4 < 2 ? EqualRuns::apart : EqualRuns::joined;
+    const FreeRuns runs(grid, equal);
     for (int y = 0; y < grid.height(); ++y) {
       for (int x = 0; x < grid.width(); ++x) {
         if (!grid.is_free(Cell{x, y})) continue;
-        if (runs.open(piece_at(grid, {x, y})) != walked(grid, {x, y})) {
+        if (runs.open(piece_at(grid, {x, y})) != walked(grid, {x, y}, equal)) {
           FAIL_CHECK("cell (" << x << ", " << y << ")");
         }
       }
@@ -75,10 +78,11 @@ TEST_CASE("exits are the sides that a run shares with its neighbours, ends as se
                                                               {{6, 2}, {3, 2}, {3, 2, 6, 3}}});
 }
 
-TEST_CASE("equal runs of successive rows are one piece, others are not", "[grid]") {
+TEST_CASE("equal runs of successive rows can be joined, others can not", "[grid]") {
   OccupancyGrid grid = test::free_grid(6, 5);
   grid.set({0, 3}, false);
-  const FreeRuns runs(grid);
+  const FreeRuns runs(grid, EqualRuns::joined);
+  CHECK(FreeRuns(grid).open(piece_at(grid, {4, 1})) == CellBox{0, 1, 6, 2});
   CHECK(runs.open(piece_at(grid, {4, 1})) == CellBox{0, 0, 6, 3});
   CHECK(runs.open(piece_at(grid, {4, 3})) == CellBox{1, 3, 6, 4});
   CHECK(runs.open(piece_at(grid, {4, 4})) == CellBox{0, 4, 6, 5});
@@ -130,7 +134,8 @@ TEST_CASE("the runs near a cell are those of the 3 x 3 cells around it, each onc
   for (std::size_t round = 0; round < test::scaled(50); ++round) {
     INFO("seed " << seed << ", round " << round);
     const OccupancyGrid grid = test::noise_grid(random, 7, 5, 0.4);
-    const FreeRuns runs(grid);
+    const EqualRuns equal = round % 2 == 0 ? EqualRuns::apart : EqualRuns::joined;
+    const FreeRuns runs(grid, equal);
     for (int y = 0; y < grid.height(); ++y) {
       for (int x = 0; x < grid.width(); ++x) {
         std::set<std::pair<int, int>> expected;
@@ -138,7 +143,7 @@ TEST_CASE("the runs near a cell are those of the 3 x 3 cells around it, each onc
         for (int row = y - 1; row <= y + 1; ++row) {
           for (int column = x - 1; column <= x + 1; ++column) {
             if (!grid.contains({column, row}) || !grid.is_free(Cell{column, row})) continue;
-            const CellBox box = walked(grid, {column, row});
+            const CellBox box = walked(grid, {column, row}, equal);
             expected.insert({box.x0, box.y0});
           }
         }

@@ -89,7 +89,8 @@ TEST_CASE("what cannot be set is named, with what was expected and the nearest o
         "rrt_star: unknown option \"zzz\"; known: step goal_bias max_iterations neighbours "
         "rewire_factor");
   CHECK(refused<Jps>({{"weight", "5"}}) == "jps: unknown option \"weight\"; there are none");
-  CHECK(refused<AStar>({{"costs", "5"}}) == "astar: unknown option \"costs\"; known: heuristic");
+  CHECK(refused<AStar>({{"costs", "5"}}) ==
+        "astar: unknown option \"costs\"; known: heuristic successors");
   CHECK(refused<SsaAStar>({{"weights", "5"}}).find("unknown option \"weights\"") !=
         std::string::npos);
   CHECK(refused<RrtStar>({{"max_iterations", "many"}}) ==

@@ -35,13 +35,18 @@ class FreeRuns {
   /// A piece, given by the index of any of its cells.
   using Piece = std::uint32_t;
 
-  explicit FreeRuns(const OccupancyGrid& grid) : grid_(grid) {}
+  enum class EqualRuns { apart, joined };
+
+  explicit FreeRuns(const OccupancyGrid& grid, EqualRuns equal = EqualRuns::apart)
+      : grid_(grid), equal_(equal) {}
 
   CellBox open(Piece piece) const {
     const Cell cell = grid_.cell(piece);
     CellBox box{first(cell), cell.y, grid_.run_end(cell.y, cell.x, true), cell.y + 1};
-    while (is_run(box, box.y0 - 1)) --box.y0;
-    while (is_run(box, box.y1)) ++box.y1;
+    if (equal_ == EqualRuns::joined) {
+      while (is_run(box, box.y0 - 1)) --box.y0;
+      while (is_run(box, box.y1)) ++box.y1;
+    }
     return box;
   }
 
@@ -124,6 +129,7 @@ class FreeRuns {
   }
 
   const OccupancyGrid& grid_;
+  EqualRuns equal_;
 };
 
 }  // namespace tutavia::detail
