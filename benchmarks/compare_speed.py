@@ -53,10 +53,11 @@ def main():
                 continue
             old, new = least[0][name, pair[0]], least[1][name, pair[1]]
             kind = "random maps" if name.startswith("random") else "other maps"
-            logs.setdefault((pair[1], kind), []).append(math.log(old / new))
-            print(f"{name:20} {pair[1]:24} {old:10.1f} us {new:10.1f} us {old / new:6.2f}")
+            search = "=".join(dict.fromkeys(pair))
+            logs.setdefault((search, kind), []).append(math.log(old / new))
+            print(f"{name:20} {search:32} {old:10.1f} us {new:10.1f} us {old / new:6.2f}")
     for (search, kind), values in sorted(logs.items()):
-        print(f"{kind:20} {search:24} {math.exp(sum(values) / len(values)):34.2f}")
+        print(f"{kind:20} {search:32} {math.exp(sum(values) / len(values)):34.2f}")
 
 
 main()

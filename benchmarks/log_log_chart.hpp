@@ -55,8 +55,8 @@ inline std::string log_log_chart(const std::string& x_title, const std::string& 
   for (double power = y_low; power <= y_high; ++power) {
     const double y = at_y(std::pow(10, power));
     add("<path d=\"M%g %.1fH%g\" stroke=\"#ddd\"/>\n", left, y, right);
-    add("<text x=\"%g\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", left - 6, y + 4,
-        std::pow(10, power));
+    add("<text x=\"%g\" y=\"%.1f\" text-anchor=\"end\">%.*f</text>\n", left - 6, y + 4,
+        static_cast<int>(std::max(0.0, -power)), std::pow(10, power));
   }
   if (!lines.empty()) {
     for (const auto& [x, y] : lines.front().points) {

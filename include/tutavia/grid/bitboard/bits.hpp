@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -46,8 +47,9 @@ inline int next_bit(const std::uint64_t* words, std::size_t from) {
 
 /// A word with its bits in reverse order.
 inline std::uint64_t reversed(std::uint64_t word) {
-  constexpr std::uint64_t masks[] = {0x5555555555555555u, 0x3333333333333333u, 0x0F0F0F0F0F0F0F0Fu,
-                                     0x00FF00FF00FF00FFu, 0x0000FFFF0000FFFFu};
+  constexpr std::array<std::uint64_t, 5> masks{0x5555555555555555u, 0x3333333333333333u,
+                                               0x0F0F0F0F0F0F0F0Fu, 0x00FF00FF00FF00FFu,
+                                               0x0000FFFF0000FFFFu};
   int width = 1;
   for (const std::uint64_t mask : masks) {
     word = ((word >> width) & mask) | (word & mask) << width;

@@ -35,7 +35,8 @@ class Places {
   }
 
   Place of(Cell cell) const {
-    const auto x = static_cast<std::size_t>(cell.x + 1), y = static_cast<std::size_t>(cell.y + 1);
+    const std::size_t x = static_cast<std::size_t>(cell.x) + 1;
+    const std::size_t y = static_cast<std::size_t>(cell.y) + 1;
     return {{x + y * rows_, x * columns_ + y}};
   }
   /// The place `count` steps from another.

@@ -67,7 +67,8 @@ class TurnPlanes {
 
     /// The bit of a cell; that of the next cell follows. \pre the cell lies in the grid
     std::size_t bit(Cell cell) const {
-      const auto x = static_cast<std::size_t>(cell.x + 1), y = static_cast<std::size_t>(cell.y + 1);
+      const std::size_t x = static_cast<std::size_t>(cell.x) + 1;
+      const std::size_t y = static_cast<std::size_t>(cell.y) + 1;
       // Rounded up, the reciprocal gives exact quotients for rows below 2^31.
       const std::size_t y_mod = y - ((y * reciprocal_) >> reciprocal_shift_) * columns_;
       const std::size_t line = (is_rising_ ? x : columns_ - 1 - x) + columns_ - y_mod;

@@ -179,7 +179,8 @@ class JumpSearch {
   /// jump does.
   bool reaches(Cell from, const std::array<int, 8>& lengths, Cell goal) const {
     const int x = goal.x - from.x, y = goal.y - from.y;
-    const std::size_t step = step_towards[static_cast<std::size_t>(3 * sign(y) + sign(x) + 4)];
+    const int towards = 3 * sign(y) + sign(x) + 4;
+    const std::size_t step = step_towards[static_cast<std::size_t>(towards)];
     if (step == no_step) return false;
     const int longer = std::max(std::abs(x), std::abs(y));
     const int first = is_diagonal(step) ? std::min(std::abs(x), std::abs(y)) : longer;
