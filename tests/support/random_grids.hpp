@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 #include "tutavia/core/random.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
@@ -21,6 +23,21 @@ inline OccupancyGrid noise_grid(Random& random, int width, int height, double de
     for (int x = 0; x < width; ++x) grid.set({x, y}, random.uniform() >= density);
   }
   return grid;
+}
+
+/// Calls `visit(grid)` for grids of all densities with sides around multiples of 64, wide and high.
+template <class Visit>
+void for_each_grid_around_words(Random& random, std::size_t rounds, const Visit& visit) {
+  constexpr int sizes[] = {1, 2, 3, 61, 62, 63, 64, 65, 66, 126, 127, 128, 129, 130, 200};
+  constexpr double densities[] = {0, 0.001, 0.02, 0.1, 0.35, 0.7, 1};
+  for (std::size_t round = 0; round < rounds; ++round) {
+    for (const int width : sizes) {
+      const int height = sizes[random.below(std::size(sizes))];
+      const double density = densities[random.below(std::size(densities))];
+      visit(noise_grid(random, width, height, density));
+      visit(noise_grid(random, height, width, density));
+    }
+  }
 }
 
 /// A grid without blocked cells.

@@ -71,18 +71,11 @@ void check_all_jumps(const OccupancyGrid& grid) {
 TEST_CASE("a jump goes as far as a walk that looks at every cell", "[grid]") {
   const std::uint64_t seed = 1;
   Random random(seed);
-  constexpr int sizes[] = {1, 2, 61, 62, 63, 64, 65, 66, 126, 127, 128, 129, 130, 200};
-  constexpr double densities[] = {0, 0.001, 0.02, 0.1, 0.35, 0.7, 1};
-  for (std::size_t round = 0; round < test::scaled(1); ++round) {
-    for (const int width : sizes) {
-      const int height = sizes[random.below(std::size(sizes))];
-      const double density = densities[random.below(std::size(densities))];
-      INFO("seed " << seed << ", round " << round << ", " << width << " x " << height
-                   << ", density " << density);
-      check_all_jumps(test::noise_grid(random, width, height, density));
-      check_all_jumps(test::noise_grid(random, height, width, density));
-    }
-  }
+  CAPTURE(seed);
+  test::for_each_grid_around_words(random, test::scaled(1), [](const OccupancyGrid& grid) {
+    CAPTURE(grid.width(), grid.height());
+    check_all_jumps(grid);
+  });
 }
 
 TEST_CASE("in the open a jump ends at the border of the grid", "[grid]") {

@@ -220,7 +220,8 @@ template <>
 struct OptionTable<AnyAngle> {
   static constexpr std::string_view sentence =
       "The shortest path of a point among blocked cells, at any angle";
-  static constexpr auto fields = option_fields<AnyAngle>(data<&AnyAngle::mesh>(), data<&AnyAngle::mesh_on_demand>());
+  static constexpr auto fields =
+      option_fields<AnyAngle>(data<&AnyAngle::mesh>(), data<&AnyAngle::mesh_on_demand>());
 };
 
 template <>
