@@ -194,6 +194,21 @@ bool same_class(const InflatedSpace& space, const Curve& a, const Curve& b) {
   return test::winds_around_nothing(space.workspace(), a, b);
 }
 
+TEST_CASE("strings bend at every corner of a ring that crosses itself, and at the ends of walls") {
+  const auto crossing = plane_with({Polygon{{{-10, 10}, {-10, -10}, {4, 4}, {4, -4}}}}, 0.5);
+  const Curve around = Curve::polyline(std::vector<Point>{{2, 6}, {8, 6}, {8, -6}, {2, -6}});
+  const auto string = TautString{}.smooth(crossing, around, {});
+  REQUIRE(string);
+  CHECK(string->length() == Approx(14.530873).margin(1e-6));  // 24 if the corners were overlooked
+  // The points of this wall are collinear but for rounding.
+  const Point a(0.1, 0.2), b(0.1 + 0.1, 0.2 + 1.0), c(0.1 + 0.2, 0.2 + 2.0);
+  const auto wall = plane_with({Polygon{{a, b, c}}}, 0.5);
+  const Curve over = Curve::polyline(std::vector<Point>{{-4, 0}, {-4, 6}, {5, 6}, {5, 0}});
+  const auto pulled = TautString{}.smooth(wall, over, {});
+  REQUIRE(pulled);
+  CHECK(pulled->length() < 11);
+}
+
 TEST_CASE("a bend of a whole turn is a bend") {
   const auto post = plane_with({Polygon{{{0, 0}}}}, 1);
   const std::vector<Point> loop{{-10, 1 + 1e-13}, {2, 1 + 1e-13},  {2, -2},

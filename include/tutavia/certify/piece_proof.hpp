@@ -206,7 +206,9 @@ PieceProof prove_distance(const S& space, const P& piece, double distance,
 template <ClearanceSpace S, class P>
 bool is_proved_free(const S& space, const P& piece) {
   if constexpr (std::is_same_v<P, Segment>) {
-    return space.segment_free(piece.a, piece.b);  // exact, and faster than a distance
+    const Box& bounds = space.bounds();  // contain no NaN
+    return bounds.contains(piece.a) && bounds.contains(piece.b) &&
+           space.segment_free(piece.a, piece.b);  // exact, and faster than a distance
   } else {
     return prove_distance(space, piece, space.safety_radius()).status == ProofStatus::proved;
   }

@@ -17,7 +17,8 @@ namespace tutavia {
 
 /// Counts the queries of AnyAngle in one space, and makes the mesh of the space's cells at the n-th
 /// of them: a mesh takes as long as some 20 to 60 queries without one. Threads may share it; those
-/// that search while one of them makes the mesh go on without.
+/// that search while one of them makes the mesh go on without. The query that makes it takes as
+/// long as that, whatever its budget.
 ///
 /// It serves the space of its first query and copies of that. Other spaces are searched without a
 /// mesh, and so is a space whose mesh would exceed the limits of `NavigationMesh::build`.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -17,6 +18,7 @@
 #include "tutavia/geometry/tangent/oriented_box.hpp"
 #include "tutavia/geometry/tangent/tangent_line.hpp"
 #include "tutavia/smooth/string/string_bends.hpp"
+#include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/index/passing_radius.hpp"
 
 /// \file
@@ -174,13 +176,14 @@ class ChainFinder {
 
  private:
   /// Calls `visit(circle)` for the circles around vertices and discs near a box. No string bends at
-  /// a vertex that is not convex, so those are left out where the space can tell.
+  /// a vertex that is not convex: cells know theirs exactly. Among polygons all vertices count,
+  /// since a ring may cross itself.
   template <class Visit>
   void for_each_circle(const Box& box, int side, Visit visit) const {
     const auto around = [&](const Point& center, double radius) {
       visit(OrientedCircle{center, passing_radius(space_, radius), side});
     };
-    if constexpr (CornerSpace<S>) {
+    if constexpr (std::same_as<S, CellSpace>) {
       space_.for_each_corner(box.inflated(radius_),
                              [&](const Corner& corner) { around(corner.position, corner.radius); });
     } else {
