@@ -63,17 +63,15 @@ class OccupancyGrid {
   /// A grid without cells.
   OccupancyGrid() : OccupancyGrid(0, 0, 1) {}
 
-  /// Whether the indices of a grid of this size and of its transpose, with the padding, stay below
-  /// 2^32 - 64.
+  /// Whether the indices of a grid of this size, with the padding, stay below 2^32 - 64.
   static bool fits(std::int64_t width, std::int64_t height) {
     constexpr std::int64_t longest = std::int64_t{1} << 30, max_words = (std::int64_t{1} << 26) - 1;
     if (width > longest || height > longest) return false;
-    return height + 2 <= max_words / words_per_row(width) &&
-           width + 2 <= max_words / words_per_row(height);
+    return height + 2 <= max_words / words_per_row(width);
   }
 
   /// A grid with every cell blocked. Errors: `limit_exceeded` (checked before any allocation) for
-  /// more than `max_cells` or a size that does not fit (see `fits`); `invalid_input` for a negative
+  /// more than `max_cells` or, with the padding, 2^32 - 64 indices; `invalid_input` for a negative
   /// size.
   static Expected<OccupancyGrid, Failure> blocked(std::int64_t width, std::int64_t height,
                                                   std::int64_t max_cells = std::int64_t{1} << 30) {
@@ -82,7 +80,7 @@ class OccupancyGrid {
       return fail(PlanError::limit_exceeded,
                   "grid of " + std::to_string(width) + " x " + std::to_string(height) +
                       " cells needed, " + std::to_string(max_cells) +
-                      " cells and 2^32 - 64 bits of padded rows or columns allowed");
+                      " cells and 2^32 - 64 bits of padded rows allowed");
     }
     return OccupancyGrid(static_cast<int>(width), static_cast<int>(height),
                          static_cast<std::size_t>(words_per_row(width)));
