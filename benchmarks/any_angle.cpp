@@ -52,8 +52,7 @@ Engines engines() {
        [=](const CellSpace& s) { return engine(s, LazyThetaStar{}, bytes_with_columns(s)); }},
       {"jps_theta_star",
        [=](const CellSpace& s) {
-         return engine(s, JpsThetaStar{},
-                       bytes_with_columns(s) + s.stop_planes().memory() + s.turn_planes().memory());
+         return engine(s, JpsThetaStar{}, bytes_with_columns(s) + plane_bytes(s));
        }},
   };
 }

@@ -159,8 +159,7 @@ std::vector<std::pair<std::string, MakeEngine>> growing_searches() {
     const auto start = Clock::now();
     s.turn_planes();
     const double prepare_ms = micros_since(start) / 1000;
-    Engine result =
-        engine(s, Jps{}, grid_bytes(s) + s.stop_planes().memory() + s.turn_planes().memory());
+    Engine result = engine(s, Jps{}, grid_bytes(s) + plane_bytes(s));
     result.preprocess_ms = prepare_ms;
     return result;
   };
@@ -203,13 +202,7 @@ Growth measure_growth(const Engine& engine, const std::vector<ScenarioRow>& quer
 
 int show_growth(const GrowthArguments& args) {
   const OccupancyGrid map = value_or_throw(read_moving_ai_map(args.map));
-  const auto scenario = value_or_throw(read_moving_ai_scenario(args.scen));
-  if (const auto fits = check_scenario(scenario, map); !fits) {
-    throw UsageError{args.scen + ": " + fits.error().detail};
-  }
-  std::vector<ScenarioRow> queries;
-  const std::size_t count = std::min(args.queries, scenario.size());
-  for (std::size_t i = 0; i < count; ++i) queries.push_back(scenario[i * scenario.size() / count]);
+  const std::vector<ScenarioRow> queries = strided_rows(args.scen, map, args.queries);
   std::printf(
       "| cells | search | prepared in | bytes per cell | us per query | expanded | ns per "
       "expansion |\n"
@@ -246,12 +239,7 @@ int main(int argc, char** argv) {
   app.add_option("--largest", args.largest, "Largest factor of its sides, a power of two")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
-  app.add_option("--queries", args.queries, "Rows of the scenario, evenly strided")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  app.add_option("--rounds", args.rounds, "Least time over so many rounds")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+  add_counts(app, args.queries, args.rounds);
   app.add_option("--svg", args.svg, "Draw the times per query to a file");
   return bench::run_program(app, argc, argv, [&] {
     if (!args.map.empty()) return show_growth(args);

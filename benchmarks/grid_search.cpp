@@ -30,11 +30,6 @@ namespace {
 
 using namespace map_benchmark;
 
-/// The grid with the planes of its jumps.
-std::size_t jump_bytes(const CellSpace& space) {
-  return grid_bytes(space) + space.stop_planes().memory() + space.turn_planes().memory();
-}
-
 /// The whole map from every query's start, and the path to its goal: compare with whole-map
 /// searches.
 Engine flow_field_engine(const CellSpace& space) {
@@ -106,16 +101,20 @@ Engines engines() {
        [](const CellSpace& s) { return engine(s, PenaltyAStar{0}, grid_bytes(s)); }},
       {"flow_field", flow_field_engine},
       {"dijkstra", [](const CellSpace& s) { return engine(s, Dijkstra{}, grid_bytes(s)); }},
-      {"jps", [](const CellSpace& s) { return engine(s, Jps{}, jump_bytes(s)); }},
+      {"jps", [](const CellSpace& s) { return engine(s, Jps{}, grid_bytes(s) + plane_bytes(s)); }},
       {"jps_plus",
        [](const CellSpace& s) {
          return prepared_engine<JpsPlus>(s, grid_bytes(s),
                                          [](const auto& table) { return JpsPlus{table}; });
        }},
       {"jps_plan",
-       [](const CellSpace& s) { return plan_engine(s, Jps{}, NoSmoothing{}, jump_bytes(s)); }},
+       [](const CellSpace& s) {
+         return plan_engine(s, Jps{}, NoSmoothing{}, grid_bytes(s) + plane_bytes(s));
+       }},
       {"jps_plan_taut_string",
-       [](const CellSpace& s) { return plan_engine(s, Jps{}, TautString{}, jump_bytes(s)); }},
+       [](const CellSpace& s) {
+         return plan_engine(s, Jps{}, TautString{}, grid_bytes(s) + plane_bytes(s));
+       }},
       {"rea_star",
        [](const CellSpace& s) { return engine(s, ReaStar{}, grid_bytes(s) + grid_bytes(s)); }},
       {"textbook_astar",

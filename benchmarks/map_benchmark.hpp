@@ -56,6 +56,10 @@ using Engines = std::map<std::string, MakeEngine>;
 
 inline std::size_t grid_bytes(const CellSpace& space) { return space.grid().words().size() * 8; }
 
+inline std::size_t plane_bytes(const CellSpace& space) {  // of jump point search
+  return space.stop_planes().memory() + space.turn_planes().memory();
+}
+
 /// A search of the library between the centres of cells.
 template <class A>
 Engine engine(const CellSpace& space, const A& algorithm, std::size_t bytes) {
@@ -199,19 +203,36 @@ void take_turns(Caches caches, std::size_t searches, std::size_t queries, const 
   }
 }
 
+/// At most `count` rows of a map's scenarios, evenly strided.
+inline std::vector<ScenarioRow> strided_rows(const std::string& scen, const OccupancyGrid& map,
+                                             std::size_t count) {
+  const auto scenario = value_or_throw(read_moving_ai_scenario(scen));
+  if (const auto fits = check_scenario(scenario, map); !fits) {
+    throw UsageError{scen + ": " + fits.error().detail};
+  }
+  std::vector<ScenarioRow> rows;
+  count = std::min(count, scenario.size());
+  for (std::size_t i = 0; i < count; ++i) rows.push_back(scenario[i * scenario.size() / count]);
+  return rows;
+}
+
+/// Adds the options for the numbers of queries and rounds.
+inline void add_counts(CLI::App& app, std::size_t& queries, std::size_t& rounds) {
+  app.add_option("--queries", queries, "Rows of the scenario, evenly strided")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--rounds", rounds, "Least time over so many rounds")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+}
+
 /// Runs all searches on one map, in turn within every round.
 inline std::vector<Row> run_map(const Benchmark& benchmark, const std::string& map,
                                 const std::string& scen, const Arguments& args) {
-  auto scenario = value_or_throw(read_moving_ai_scenario(scen));
   auto grid = value_or_throw(read_moving_ai_map(map));
-  if (const auto fits = check_scenario(scenario, grid); !fits) {
-    throw UsageError{scen + ": " + fits.error().detail};
-  }
+  const std::vector<ScenarioRow> queries = strided_rows(scen, grid, args.queries);
   const auto cells = static_cast<double>(grid.width()) * static_cast<double>(grid.height());
   const CellSpace space = value_or_throw(CellSpace::build(std::move(grid)));
-  std::vector<ScenarioRow> queries;
-  const std::size_t count = std::min(args.queries, scenario.size());
-  for (std::size_t i = 0; i < count; ++i) queries.push_back(scenario[i * scenario.size() / count]);
 
   std::vector<double> optimal;
   const auto optimum = benchmark.optimum(space);
@@ -362,12 +383,7 @@ inline int main(const Benchmark& benchmark, int argc, char** argv) {
       ->excludes(map);
   app.add_option("--search", args.searches, "Searches; speed-ups are relative to the first")
       ->delimiter(',');
-  app.add_option("--queries", args.queries, "Rows of the scenario, evenly strided")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  app.add_option("--rounds", args.rounds, "Least time over so many rounds")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+  add_counts(app, args.queries, args.rounds);
   app.add_option("--caches", args.caches,
                  "warm: a search repeats its queries; cold: after 8 MB of other data; shared: "
                  "searches take turns")

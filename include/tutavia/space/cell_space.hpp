@@ -71,7 +71,7 @@ class CellSpace {
   }
   const Frame& frame() const { return layer_.frame(); }
   MovementRule movement() const { return layer_.movement(); }
-  /// Equal for copies of a space, and for no others as long as it is held.
+  /// Copies of a space share an identity, other spaces do not. It stays unique while it is held.
   std::shared_ptr<const void> identity() const { return layer_.identity(); }
   const detail::StopPlanes& stop_planes() const { return layer_.stop_planes(); }
   const detail::TurnPlanes& turn_planes() const { return layer_.turn_planes(); }

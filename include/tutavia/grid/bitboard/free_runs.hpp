@@ -24,9 +24,9 @@ struct CellBox {
   friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
-/// The maximal free runs of every row, read from the grid's bits on demand; equal runs of
-/// successive rows form one rectangle. A decomposition of free space into convex pieces that needs
-/// no preparation.
+/// The maximal free runs of every row, read from the grid's bits on demand: a decomposition of free
+/// space into convex pieces that needs no preparation. Equal runs of successive rows may be joined
+/// to one rectangle.
 ///
 /// Two pieces are neighbours if they share a side of positive length. Pieces that touch at a corner
 /// only are not, so no path passes between two blocked cells that touch.
@@ -36,6 +36,7 @@ class FreeRuns {
   using Piece = std::uint32_t;
 
   enum class EqualRuns { apart, joined };
+  enum class Exits { below, above };  ///< the sides of a box that `for_each_exit_between` visits
 
   explicit FreeRuns(const OccupancyGrid& grid, EqualRuns equal = EqualRuns::apart)
       : grid_(grid), equal_(equal) {}
@@ -83,7 +84,6 @@ class FreeRuns {
   }
 
   /// The same for the sides above or below the box that reach into columns [x0, x1).
-  enum class Exits { below, above };
   template <class Visit>
   void for_each_exit_between(const CellBox& box, Exits exits, int x0, int x1,
                              const Visit& visit) const {

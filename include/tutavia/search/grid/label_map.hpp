@@ -64,11 +64,6 @@ class LabelMap {
 
   const LabelWords& words() const { return words_; }
 
-  /// Prefetches the label of a cell.
-  void prefetch(std::uint32_t cell) const {
-    tutavia::detail::prefetch(by_cell_ ? &array_[cell] : &slots_[home_slot(cell)]);
-  }
-
   std::size_t memory() const { return (slots_.size() + array_.size()) * sizeof(Label); }
   std::size_t size() const { return size_; }
 

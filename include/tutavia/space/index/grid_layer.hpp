@@ -47,7 +47,7 @@ class GridLayer {
   const Frame& frame() const { return frame_; }
   MovementRule movement() const { return movement_; }
 
-  /// Equal for copies of a layer, and for no others.
+  /// Copies of a layer share an identity, other layers do not.
   std::shared_ptr<const void> identity() const { return lazy_; }
 
   /// Built at the first call, safely from several threads. Copies of the layer share them.
