@@ -52,27 +52,23 @@ class GridLayer {
 
   /// Built at the first call, safely from several threads. Copies of the layer share them.
   const StopPlanes& stop_planes() const {
-    std::call_once(lazy_->once, [this] { lazy_->planes.emplace(grid_); });
-    return *lazy_->planes;
+    return lazy_->stops.get([this] { return StopPlanes(grid_); });
   }
 
   /// Built like `stop_planes`.
   const TurnPlanes& turn_planes() const {
-    std::call_once(lazy_->turns_once, [this] { lazy_->turns.emplace(grid_, stop_planes()); });
-    return *lazy_->turns;
+    return lazy_->turns.get([this] { return TurnPlanes(grid_, stop_planes()); });
   }
 
   /// The grid with rows and columns exchanged; built like `stop_planes`.
   const OccupancyGrid& columns() const {
-    std::call_once(lazy_->columns_once, [this] { lazy_->columns.emplace(transposed(grid_)); });
-    return *lazy_->columns;
+    return lazy_->columns.get([this] { return transposed(grid_); });
   }
 
   /// See `open_corners`; built like `stop_planes`. (x, y) is the lower left corner of cell (x, y).
   /// The outside of the grid is blocked.
   const OccupancyGrid& corners() const {
-    std::call_once(lazy_->corners_once, [this] { lazy_->corners.emplace(open_corners(grid_)); });
-    return *lazy_->corners;
+    return lazy_->corners.get([this] { return open_corners(grid_); });
   }
 
   /// The free cells whose reference points lie within sqrt(2) delta of `p` and for which
@@ -148,15 +144,25 @@ class GridLayer {
   Frame frame_;
   MovementRule movement_;
 
+  /// A value that is made at its first use, whichever thread that is in.
+  template <class T>
+  class MadeOnce {
+   public:
+    template <class Make>
+    const T& get(const Make& make) {
+      std::call_once(once_, [&] { value_.emplace(make()); });
+      return *value_;
+    }
+
+   private:
+    std::once_flag once_;
+    std::optional<T> value_;
+  };
+
   struct Lazy {
-    std::once_flag once;
-    std::optional<StopPlanes> planes;
-    std::once_flag turns_once;
-    std::optional<TurnPlanes> turns;
-    std::once_flag columns_once;
-    std::optional<OccupancyGrid> columns;
-    std::once_flag corners_once;
-    std::optional<OccupancyGrid> corners;
+    MadeOnce<StopPlanes> stops;
+    MadeOnce<TurnPlanes> turns;
+    MadeOnce<OccupancyGrid> columns, corners;
   };
   std::shared_ptr<Lazy> lazy_ = std::make_shared<Lazy>();
 };
