@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tutavia/geometry/predicates.hpp"
+#include "tutavia/grid/bitboard/free_runs.hpp"
 #include "tutavia/plan/query.hpp"
 #include "tutavia/plan/statistics.hpp"
 #include "tutavia/search/concepts.hpp"
