@@ -184,4 +184,10 @@ TEST_CASE("the grid holds exactly the cells whose centres keep what the movement
   CHECK(lost > scaled(2000));
 }
 
+TEST_CASE("a map of too many columns is refused, instead of by the first search") {
+  const auto space = CellSpace::build(OccupancyGrid::blocked(70'000'000, 1).value());
+  REQUIRE_FALSE(space);
+  CHECK(space.error().code == PlanError::limit_exceeded);
+}
+
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "tutavia/geometry/numeric/exact_number.hpp"
 #include "tutavia/geometry/segment.hpp"
+#include "tutavia/grid/bitboard/transposed.hpp"
 #include "tutavia/grid/dilate.hpp"
 #include "tutavia/grid/line_of_sight.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
@@ -48,7 +49,8 @@ struct CellOptions {
 class CellSpace {
  public:
   /// Errors: `invalid_option` for a resolution that is not positive, an origin that is not finite
-  /// or too far away for exact coordinates, a negative radius, or the movement rule `by_edge`.
+  /// or too far away for exact coordinates, a negative radius, or the movement rule `by_edge`;
+  /// `limit_exceeded` for some 67 million columns or more (see `detail::check_transpose`).
   static Expected<CellSpace, Failure> build(OccupancyGrid cells, const CellOptions& options = {});
 
   /// The space of the same cells at another safety radius [m]. Errors: those of `build`.
@@ -199,6 +201,7 @@ inline std::int64_t least_squared_distance(double radius, double side) {
 
 inline Expected<CellSpace, Failure> CellSpace::build(OccupancyGrid cells,
                                                      const CellOptions& options) {
+  if (auto valid = detail::check_transpose(cells); !valid) return std::move(valid).unexpected();
   const auto quantum = detail::coordinate_quantum(cells, options);
   if (!quantum) return Unexpected{quantum.error()};
   const auto snap = [&](double x) { return std::nearbyint(x / *quantum) * *quantum; };

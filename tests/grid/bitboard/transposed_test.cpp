@@ -52,4 +52,12 @@ TEST_CASE("a transposed grid has rows for columns, at every size around a word",
   }
 }
 
+TEST_CASE("a grid of too many columns has no transpose", "[grid]") {
+  const OccupancyGrid wide = OccupancyGrid::blocked(70'000'000, 1).value();
+  const auto refused = detail::check_transpose(wide);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code == PlanError::limit_exceeded);
+  CHECK(detail::check_transpose(OccupancyGrid::blocked(1000, 1000).value()));
+}
+
 }  // namespace

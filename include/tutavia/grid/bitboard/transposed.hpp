@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/plan/failure.hpp"
 
 /// \file
 /// transposed: a grid with rows and columns exchanged, for scans along columns.
@@ -43,7 +45,16 @@ inline void transpose_bits(const std::uint64_t* from, std::size_t rows, std::siz
   }
 }
 
-/// The transpose of a grid.
+/// Whether a grid has a transpose. Errors: `limit_exceeded` for one of so many columns that the
+/// rows of the transpose, padded to 64 cells, have more than 2^32 - 64 indices.
+inline Expected<void, Failure> check_transpose(const OccupancyGrid& grid) {
+  if (OccupancyGrid::fits(grid.height(), grid.width())) return {};
+  return fail(PlanError::limit_exceeded,
+              "grid of " + std::to_string(grid.width()) + " x " + std::to_string(grid.height()) +
+                  " cells needed, 2^32 - 64 bits of padded columns allowed");
+}
+
+/// The transpose of a grid. \pre check_transpose
 inline OccupancyGrid transposed(const OccupancyGrid& grid) {
   OccupancyGrid result = OccupancyGrid::blocked(grid.height(), grid.width(),
                                                 std::int64_t{grid.height()} * grid.width())

@@ -9,6 +9,7 @@
 
 #include "tutavia/core/parts/number_text.hpp"
 #include "tutavia/geometry/box.hpp"
+#include "tutavia/grid/bitboard/transposed.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/world/frame.hpp"
@@ -98,7 +99,7 @@ struct LatticeSampler {
 /// work grows with the length of the boundaries, not with the area.
 ///
 /// Errors: `invalid_option` for a resolution that is not positive and finite, `limit_exceeded` for
-/// more than `max_nodes` nodes.
+/// more than `max_nodes` nodes or more columns than a transpose may have rows.
 template <class Clearance>
 Expected<SampledGrid, Failure> sample_lattice(const Clearance& clearance, const Box& bounds,
                                               double safety_radius, double error_bound,
@@ -113,6 +114,7 @@ Expected<SampledGrid, Failure> sample_lattice(const Clearance& clearance, const 
   };
   auto grid = OccupancyGrid::blocked(count(low.x(), high.x()), count(low.y(), high.y()), max_nodes);
   if (!grid) return Unexpected{grid.error()};
+  if (auto valid = check_transpose(*grid); !valid) return std::move(valid).unexpected();
   SampledGrid result{std::move(*grid), frame};
   const double threshold = std::sqrt(safety_radius * safety_radius + resolution * resolution / 2) +
                            2 * error_bound + 1e-9 * resolution;
