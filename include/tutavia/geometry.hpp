@@ -20,3 +20,4 @@
 #include "tutavia/geometry/predicates.hpp"
 #include "tutavia/geometry/resample.hpp"
 #include "tutavia/geometry/segment.hpp"
+#include "tutavia/geometry/vehicle_path.hpp"
