@@ -6,5 +6,6 @@
 
 #include "tutavia/certify/certificate.hpp"
 #include "tutavia/certify/certify.hpp"
+#include "tutavia/certify/certify_vehicle.hpp"
 #include "tutavia/certify/piece_proof.hpp"
 #include "tutavia/certify/revalidate.hpp"

@@ -8,3 +8,4 @@
 #include "tutavia/plan/query.hpp"
 #include "tutavia/plan/route.hpp"
 #include "tutavia/plan/statistics.hpp"
+#include "tutavia/plan/vehicle.hpp"

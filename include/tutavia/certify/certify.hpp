@@ -39,11 +39,13 @@ class ClearanceInterval {
     out_.lower = std::numeric_limits<double>::infinity();
   }
 
+  /// `error`: how far the piece may lie from the path that is meant [m].
   template <class P>
-  void add(const P& piece, std::size_t index) {
+  void add(const P& piece, std::size_t index, double error) {
     const double magnitude =
         std::fmax(space_.largest_coordinate(), piece.box().largest_coordinate());
-    error_bound_ = std::fmax(space_.distance_error_bound(), distance_rounding_error(magnitude));
+    error_bound_ =
+        std::fmax(space_.distance_error_bound(), distance_rounding_error(magnitude)) + error;
     error_ = piece_error(piece, magnitude);
     if constexpr (Divisible<P>) {
       PartStack<P> stack(piece);
@@ -100,6 +102,60 @@ class ClearanceInterval {
   PieceError error_;
 };
 
+/// Certifies `count` pieces at `distance` from obstacles. `visit(i, f)` calls `f(piece, error)`
+/// with piece i in its own type and a bound on how far it may lie from the path that is meant [m].
+template <ClearanceSpace S, class Visit>
+Certificate certify_pieces(const S& space, std::size_t count, double distance, const Visit& visit,
+                           const CertifyOptions& options, const Budget& budget) {
+  Certificate certificate;
+  certificate.distance_error_bound = space.distance_error_bound();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % 64 == 0 && budget.exceeded()) return certificate;
+    bool proved = false;
+    visit(i, [&](const auto& piece, double error) {
+      const PieceProof proof =
+          prove_distance(space, piece, distance + error, options.max_evaluations_per_piece);
+      certificate.evaluations += proof.evaluations;
+      proved = proof.status == ProofStatus::proved;
+      if (proved) return;
+      certificate.status = proof.status;
+      certificate.piece = i;
+      certificate.parameter = proof.parameter;
+      certificate.point = piece.point(proof.parameter);
+      if (proof.status != ProofStatus::violated) return;
+      if (error > 0) {  // too close by less than the error is no violation
+        const double least = std::fmax(0, distance - error);
+        certificate.status =
+            prove_distance(space, piece, least, options.max_evaluations_per_piece).status;
+        if (certificate.status != ProofStatus::violated) {
+          certificate.status = ProofStatus::undecided;
+          return;
+        }
+      }
+      certificate.upper =
+          space.clearance(certificate.point) + certificate.distance_error_bound + error;
+    });
+    if (!proved) return certificate;
+  }
+  certificate.status = ProofStatus::proved;
+  ClearanceInterval<S> interval(space, options, certificate);
+  for (std::size_t i = 0; i < count; ++i) {
+    visit(i, [&](const auto& piece, double error) { interval.add(piece, i, error); });
+  }
+  certificate.lower = std::max(certificate.lower, distance);
+  certificate.upper = std::max(certificate.upper, certificate.lower);
+  return certificate;
+}
+
+/// Whether there is a gap between two pieces of a curve.
+inline bool has_gap(const Curve& curve) {
+  const auto& pieces = curve.pieces();
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    if (start_of(pieces[i]) != end_of(pieces[i - 1])) return true;
+  }
+  return false;
+}
+
 }  // namespace detail
 
 /// Proves that the whole continuous curve lies within the bounds and keeps the space's safety
@@ -110,35 +166,14 @@ class ClearanceInterval {
 template <ClearanceSpace S>
 Certificate certify(const S& space, const Curve& curve, const CertifyOptions& options = {},
                     const Budget& budget = {}) {
-  Certificate certificate;
-  certificate.distance_error_bound = space.distance_error_bound();
-  if (curve.empty()) return certificate;
-  const auto& pieces = curve.pieces();
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (i > 0 && start_of(pieces[i]) != end_of(pieces[i - 1])) return certificate;
-    if (i % 64 == 0 && budget.exceeded()) return certificate;
-    const PieceProof proof = pieces[i].visit([&](const auto& piece) {
-      return prove_distance(space, piece, space.safety_radius(), options.max_evaluations_per_piece);
-    });
-    certificate.evaluations += proof.evaluations;
-    if (proof.status == ProofStatus::proved) continue;
-    certificate.status = proof.status;
-    certificate.piece = i;
-    certificate.parameter = proof.parameter;
-    certificate.point = pieces[i].visit([&](const auto& p) { return p.point(proof.parameter); });
-    if (proof.status == ProofStatus::violated) {
-      certificate.upper = space.clearance(certificate.point) + certificate.distance_error_bound;
-    }
-    return certificate;
+  if (curve.empty() || detail::has_gap(curve)) {
+    return {.distance_error_bound = space.distance_error_bound()};
   }
-  certificate.status = ProofStatus::proved;
-  detail::ClearanceInterval<S> interval(space, options, certificate);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    pieces[i].visit([&](const auto& piece) { interval.add(piece, i); });
-  }
-  certificate.lower = std::max(certificate.lower, space.safety_radius());
-  certificate.upper = std::max(certificate.upper, certificate.lower);
-  return certificate;
+  const auto visit = [&](std::size_t i, const auto& use) {
+    curve.pieces()[i].visit([&](const auto& piece) { use(piece, 0.0); });
+  };
+  return detail::certify_pieces(space, curve.pieces().size(), space.safety_radius(), visit, options,
+                                budget);
 }
 
 }  // namespace tutavia
