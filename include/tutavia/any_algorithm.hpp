@@ -12,9 +12,11 @@
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/expected.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/geometry/vehicle_path.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/plan/query.hpp"
 #include "tutavia/plan/route.hpp"
+#include "tutavia/plan/vehicle.hpp"
 #include "tutavia/registry/option_value.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/search_record.hpp"
@@ -52,10 +54,13 @@ class AnyScratch {
 template <class S>
 struct AnySearch {
   using Scratch = detail::AnyScratch;
+  static constexpr bool plans_vehicles = true;  // some of them do
 
   std::string_view name{};
   std::function<Expected<Route, Failure>(const S&, const Query&, Scratch&, SearchRecord*)> run{};
   OptionSettings options{};  ///< its options, for reports; empty if it is not from the registry
+  /// The same search for another vehicle; empty if it plans no headings.
+  std::function<AnySearch(const Vehicle&)> for_vehicle{};
 
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   NoObserver&) const {
@@ -73,9 +78,19 @@ struct AnySmoother {
   std::string name{};
   std::function<Expected<Curve, Failure>(const S&, const Curve&, const Budget&)> run{};
   std::vector<OptionSettings> options{};  ///< of each stage, for reports; empty as for AnySearch
+  /// Smooths the paths of vehicles; empty if the smoother keeps no headings.
+  std::function<Expected<VehiclePath, Failure>(const S&, const Vehicle&, const VehiclePath&,
+                                               const Budget&)>
+      run_for_vehicle{};
 
   Expected<Curve, Failure> smooth(const S& space, const Curve& curve, const Budget& budget) const {
     return run(space, curve, budget);
+  }
+  Expected<VehiclePath, Failure> smooth(const S& space, const Vehicle& vehicle,
+                                        const VehiclePath& path, const Budget& budget) const {
+    if (run_for_vehicle) return run_for_vehicle(space, vehicle, path, budget);
+    return fail(PlanError::invalid_option,
+                name + " keeps no headings; use none or vehicle_shortcut");
   }
 };
 
@@ -103,29 +118,47 @@ struct OptionalRecord {
 /// Wraps a searcher. A search that grows a tree also reports the tree's edges to the record.
 template <class S, Searcher<S> A>
 AnySearch<S> erase_search(const A& algorithm) {
-  return {A::name, [algorithm](const S& space, const Query& query, detail::AnyScratch& any,
-                               SearchRecord* record) {
-            auto& scratch = any.get<typename A::Scratch>();
-            detail::OptionalRecord observer{record};
-            const auto add = [&](const Point& a, const Point& b) { record->edge(a, b); };
-            constexpr bool grows_tree = requires { scratch.for_each_edge(add); };
-            // A query that fails early must not report the tree of the previous query.
-            if constexpr (grows_tree) scratch.clear();
-            auto route = algorithm.search(space, query, scratch, observer);
-            if constexpr (grows_tree) {
-              if (record != nullptr) scratch.for_each_edge(add);
-            }
-            return route;
-          }};
+  AnySearch<S> any_search{A::name, [algorithm](const S& space, const Query& query,
+                                               detail::AnyScratch& any, SearchRecord* record) {
+                            auto& scratch = any.get<typename A::Scratch>();
+                            detail::OptionalRecord observer{record};
+                            const auto add = [&](const Point& a, const Point& b) {
+                              record->edge(a, b);
+                            };
+                            constexpr bool grows_tree = requires { scratch.for_each_edge(add); };
+                            // A query that fails early must not report the tree of the previous
+                            // query.
+                            if constexpr (grows_tree) scratch.clear();
+                            auto route = algorithm.search(space, query, scratch, observer);
+                            if constexpr (grows_tree) {
+                              if (record != nullptr) scratch.for_each_edge(add);
+                            }
+                            return route;
+                          }};
+  if constexpr (requires { algorithm.vehicle; }) {
+    any_search.for_vehicle = [algorithm](const Vehicle& vehicle) {
+      A other = algorithm;
+      other.vehicle = vehicle;
+      return erase_search<S>(other);
+    };
+  }
+  return any_search;
 }
 
 /// Wraps a smoother.
 template <class S, Smoother<S> A>
 AnySmoother<S> erase_smoother(const A& algorithm) {
-  return {std::string(A::name),
-          [algorithm](const S& space, const Curve& curve, const Budget& budget) {
-            return algorithm.smooth(space, curve, budget);
-          }};
+  AnySmoother<S> any{std::string(A::name),
+                     [algorithm](const S& space, const Curve& curve, const Budget& budget) {
+                       return algorithm.smooth(space, curve, budget);
+                     }};
+  if constexpr (VehicleSmoother<A, S>) {
+    any.run_for_vehicle = [algorithm](const S& space, const Vehicle& vehicle,
+                                      const VehiclePath& path, const Budget& budget) {
+      return algorithm.smooth(space, vehicle, path, budget);
+    };
+  }
+  return any;
 }
 
 namespace detail {
@@ -135,12 +168,18 @@ template <class S>
 AnySmoother<S> chain(const AnySmoother<S>& first, const AnySmoother<S>& second) {
   std::vector<OptionSettings> options = first.options;
   options.insert(options.end(), second.options.begin(), second.options.end());
-  return {first.name + "+" + second.name,
-          [first, second](const S& space, const Curve& curve, const Budget& budget) {
-            auto result = first.smooth(space, curve, budget);
-            return result ? second.smooth(space, *result, budget) : result;
-          },
-          std::move(options)};
+  AnySmoother<S> any{first.name + "+" + second.name,
+                     [first, second](const S& space, const Curve& curve, const Budget& budget) {
+                       auto result = first.smooth(space, curve, budget);
+                       return result ? second.smooth(space, *result, budget) : result;
+                     },
+                     std::move(options)};
+  any.run_for_vehicle = [first, second](const S& space, const Vehicle& vehicle,
+                                        const VehiclePath& path, const Budget& budget) {
+    auto result = first.smooth(space, vehicle, path, budget);
+    return result ? second.smooth(space, vehicle, *result, budget) : result;
+  };
+  return any;
 }
 
 }  // namespace detail

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tutavia/certify/certify.hpp"
+#include "tutavia/certify/certify_vehicle.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/smooth/concepts.hpp"
@@ -22,7 +24,8 @@ struct AutoSearch;  // search/auto_search.hpp
 /// A path that is proved safe, with its certificate, metrics and statistics.
 struct Plan {
   Curve curve{};              ///< from start to goal, both exact
-  Certificate certificate{};  ///< always `proved`
+  std::vector<Gear> gears{};  ///< one per piece of the path of a vehicle; else empty
+  Certificate certificate{};  ///< always `proved`; of a vehicle's whole footprint
   PathMetrics metrics{};
   Route route{};  ///< result of the search, before smoothing
   /// No smoothed curve was proved, and `curve` is the route's; or parts of it are (see Planner).
@@ -31,6 +34,10 @@ struct Plan {
 };
 
 namespace detail {
+
+/// A search whose routes may have headings: `Route::vehicle`.
+template <class Search>
+concept PlansVehicles = bool{Search::plans_vehicles};
 
 /// A space on which both a search and a smoother work.
 template <class S, class Search, class Smooth>
@@ -47,6 +54,9 @@ concept PlannableSpace = ClearanceSpace<S> && Searcher<Search, S> && Smoother<Sm
 /// avoided a risk zone (SafeRrtStar), the smoothed curve avoids it wherever the route does. A route
 /// that leads through the zone may have to be smoothed in parts, or left as it is in parts: then
 /// what the smoother promises holds for each part alone, and the plan says `fell_back`.
+///
+/// The route of a vehicle (HybridAStar) is smoothed by a VehicleSmoother and proved for the
+/// vehicle's whole footprint, turning radius and gears; any other smoother is an `invalid_option`.
 ///
 /// The default search is complete: AutoSearch, whose header a program has to include.
 ///
@@ -86,19 +96,18 @@ class Planner {
 
     Plan plan;
     plan.route = std::move(*route);
-    auto smoothed = detail::smooth_outside_risk(space, smoother_, plan.route, query.budget);
+    const auto smoothed = smooth(space, plan, query.budget);
     stats.smooth_us = watch.lap();
     if (smoothed) {
-      plan.curve = std::move(smoothed->curve);
-      plan.fell_back = !smoothed->is_whole;
-      plan.certificate = certify(space, plan.curve, {}, query.budget);
+      prove(space, plan, query.budget);
     } else if (smoothed.error().code == PlanError::invalid_option) {
-      return failed(std::move(smoothed.error()));
+      return failed(smoothed.error());
     }
     if (plan.certificate.status != ProofStatus::proved) {
       plan.fell_back = true;
       plan.curve = plan.route.curve;
-      plan.certificate = certify(space, plan.curve, {}, {.stop = query.budget.stop});
+      plan.gears = plan.route.gears;
+      prove(space, plan, {.stop = query.budget.stop});
     }
     stats.certify_us = watch.lap();
     if (query.budget.cancelled()) return failed({.code = PlanError::cancelled});
@@ -107,7 +116,7 @@ class Planner {
                      .detail = "the route's certificate is " +
                                std::string(to_string(plan.certificate.status))});
     }
-    plan.metrics = measure(plan.curve, plan.certificate);
+    plan.metrics = measure(plan.curve, plan.certificate, plan.gears);
     plan.stats = stats;
     return plan;
   }
@@ -126,6 +135,50 @@ class Planner {
    private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   };
+
+  /// Smooths the plan's route into its curve.
+  template <class S>
+  Expected<void, Failure> smooth(const S& space, Plan& plan, const Budget& budget) const {
+    if constexpr (detail::PlansVehicles<Search>) {
+      if (plan.route.vehicle) return smooth_for_vehicle(space, plan, budget);
+    }
+    auto smoothed = detail::smooth_outside_risk(space, smoother_, plan.route, budget);
+    if (!smoothed) return std::move(smoothed).unexpected();
+    plan.curve = std::move(smoothed->curve);
+    plan.fell_back = !smoothed->is_whole;
+    return {};
+  }
+  template <class S>
+  Expected<void, Failure> smooth_for_vehicle(const S& space, Plan& plan,
+                                             const Budget& budget) const {
+    if constexpr (VehicleSmoother<Smooth, S>) {
+      const VehiclePath path{plan.route.curve, plan.route.gears};
+      auto smoothed = smoother_.smooth(space, *plan.route.vehicle, path, budget);
+      if (!smoothed) return std::move(smoothed).unexpected();
+      plan.curve = std::move(smoothed->curve);
+      plan.gears = std::move(smoothed->gears);
+      return {};
+    } else {
+      return fail(PlanError::invalid_option,
+                  std::string(Smooth::name) +
+                      " keeps no headings; use none or vehicle_shortcut (VehicleShortcut)");
+    }
+  }
+
+  /// Certifies the plan's curve.
+  template <class S>
+  void prove(const S& space, Plan& plan, const Budget& budget) const {
+    if constexpr (detail::PlansVehicles<Search>) {
+      if (plan.route.vehicle) {
+        const auto proof =
+            certify(space, *plan.route.vehicle, VehiclePath{plan.curve, plan.gears}, {}, budget);
+        plan.certificate = proof.clearance;
+        plan.certificate.status = proof.status;
+        return;
+      }
+    }
+    plan.certificate = certify(space, plan.curve, {}, budget);
+  }
 
   Search search_;
   Smooth smoother_;

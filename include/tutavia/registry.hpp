@@ -17,13 +17,15 @@
 #include "tutavia/registry/options/search_options.hpp"
 #include "tutavia/registry/options/smoother_options.hpp"
 #include "tutavia/registry/options/tree_options.hpp"
+#include "tutavia/registry/options/vehicle_options.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/search/search_record.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// all_searches and all_smoothers: the algorithms by name, for selection at run time.
+/// all_searches, all_smoothers and those for vehicles: the algorithms by name, for selection at run
+/// time.
 
 namespace tutavia {
 
@@ -74,6 +76,16 @@ using Searches =
 using Smoothers = AlgorithmList<NoSmoothing, Shortcut, RedundantNodeRemoval, DeltaSmoother,
                                 BezierSmoother, BSplineSmoother, SmoothingSpline, TwoStageBSpline,
                                 TautString, ClothoidSmoother, HomotopyRefine, StringPull>;
+/// Those that plan headings. Other smoothers keep none, so they stand in lists of their own.
+using VehicleSearches = AlgorithmList<HybridAStar>;
+using VehicleSmoothers = AlgorithmList<VehicleShortcut>;
+
+template <class... A, class... B>
+constexpr AlgorithmList<A..., B...> joined(AlgorithmList<A...>, AlgorithmList<B...>) {
+  return {};
+}
+using EverySearch = decltype(joined(Searches{}, VehicleSearches{}));
+using EverySmoother = decltype(joined(Smoothers{}, VehicleSmoothers{}));
 
 /// Whether the registry offers the searcher or smoother A on S.
 template <class A, class S>
@@ -178,7 +190,7 @@ std::vector<AlgorithmDescription> describe_all(AlgorithmList<A...>) {
 
 }  // namespace detail
 
-/// Every searcher of the library that works on S, with default options.
+/// Every searcher of the library for robots without headings that works on S, with default options.
 template <FreeSpace S>
 std::vector<AnySearch<S>> all_searches() {
   return detail::make_all(detail::search_offers<S>(detail::Searches{}));
@@ -189,6 +201,18 @@ std::vector<AnySearch<S>> all_searches() {
 template <FreeSpace S>
 std::vector<AnySmoother<S>> all_smoothers() {
   return detail::make_all(detail::smoother_offers<S>(detail::Smoothers{}));
+}
+
+/// Every searcher of the library that plans headings, with default options (vehicle: a point).
+template <FreeSpace S>
+std::vector<AnySearch<S>> vehicle_searches() {
+  return detail::make_all(detail::search_offers<S>(detail::VehicleSearches{}));
+}
+
+/// Every smoother of the library for the routes of `vehicle_searches`, beside `none`.
+template <FreeSpace S>
+std::vector<AnySmoother<S>> vehicle_smoothers() {
+  return detail::make_all(detail::smoother_offers<S>(detail::VehicleSmoothers{}));
 }
 
 /// The searcher of a name, with options as texts:
@@ -202,24 +226,24 @@ std::vector<AnySmoother<S>> all_smoothers() {
 template <FreeSpace S>
 Expected<AnySearch<S>, Failure> make_search(std::string_view name,
                                             std::span<const OptionText> options = {}) {
-  return detail::make_one(detail::search_offers<S>(detail::Searches{}), name, options);
+  return detail::make_one(detail::search_offers<S>(detail::EverySearch{}), name, options);
 }
 
 /// The smoother of a name, with options as texts. Errors as for `make_search`.
 template <FreeSpace S>
 Expected<AnySmoother<S>, Failure> make_smoother(std::string_view name,
                                                 std::span<const OptionText> options = {}) {
-  return detail::make_one(detail::smoother_offers<S>(detail::Smoothers{}), name, options);
+  return detail::make_one(detail::smoother_offers<S>(detail::EverySmoother{}), name, options);
 }
 
 /// Every searcher of the library with its options, whatever the spaces on which it works.
 inline std::vector<AlgorithmDescription> describe_searches() {
-  return detail::describe_all(detail::Searches{});
+  return detail::describe_all(detail::EverySearch{});
 }
 
 /// Every smoother of the library with its options.
 inline std::vector<AlgorithmDescription> describe_smoothers() {
-  return detail::describe_all(detail::Smoothers{});
+  return detail::describe_all(detail::EverySmoother{});
 }
 
 }  // namespace tutavia

@@ -25,11 +25,21 @@
 
 namespace tutavia {
 
-/// The same for a plan's curve and certificate.
+/// The same for a plan's curve and certificate. The path of a vehicle is certified as a whole: then
+/// all of its pieces have failed, or none has.
 template <ClearanceSpace S>
 Revalidation revalidate(const S& after, const Plan& plan, std::span<const Box> changed,
                         const Budget& budget = {}, const CertifyOptions& options = {}) {
-  return revalidate(after, plan.curve, plan.certificate, changed, budget, options);
+  if (!plan.route.vehicle) {
+    return revalidate(after, plan.curve, plan.certificate, changed, budget, options);
+  }
+  const auto proof = certify(after, *plan.route.vehicle, {plan.curve, plan.gears}, options, budget);
+  Revalidation result{proof.clearance, {}, plan.gears.size()};
+  result.certificate.status = proof.status;
+  for (std::size_t i = 0; proof.status != ProofStatus::proved && i < plan.gears.size(); ++i) {
+    result.failed.push_back(i);
+  }
+  return result;
 }
 
 /// What a repair had to do.
@@ -378,7 +388,8 @@ Expected<Repaired, Failure> repair(Planner<Search, Smooth>& planner, const S& af
     return kept;
   }
   detail::CurveRepair<S, Search, Smooth> repairs(planner, after, plan, query, options);
-  if (same_query && !revalidation.failed.empty() && !(plan.route.risk_width > 0)) {
+  const bool may_join = !(plan.route.risk_width > 0) && !plan.route.vehicle;
+  if (same_query && !revalidation.failed.empty() && may_join) {
     auto part = repairs.around(revalidation.failed.front(), revalidation.failed.back());
     if (!part) return std::move(part).unexpected();
     if (*part) return std::move(**part);

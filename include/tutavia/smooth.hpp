@@ -18,3 +18,4 @@
 #include "tutavia/smooth/string_pull.hpp"
 #include "tutavia/smooth/taut_string.hpp"
 #include "tutavia/smooth/two_stage_b_spline.hpp"
+#include "tutavia/smooth/vehicle_shortcut.hpp"

@@ -168,7 +168,7 @@ TEST_CASE("the verdict on random vehicles and motions is that of an independent 
       ++violated;
       CHECK(deficit > -1e-9L);
     }
-    CHECK(detail::is_footprint_free(space, vehicle, path) == (c.status == ProofStatus::proved));
+    CHECK(detail::FootprintTest(vehicle).is_free(space, path) == (c.status == ProofStatus::proved));
   }
   CHECK(proved > test::scaled(400) / 20);
   CHECK(violated > test::scaled(400) / 20);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/certify/vehicle/carried_point.hpp"
@@ -61,13 +62,13 @@ inline void measure_driving(const Vehicle& vehicle, const VehiclePath& path,
                             certificate.max_curvature * vehicle.min_turning_radius <= 1 + 1e-12;
 }
 
-/// Calls `use(path, error)` with the path of a disc's centre along piece i.
+/// Calls `use(path, error)` with the path of a disc's centre along a piece.
 template <class Use>
-void visit_carried(const VehiclePath& path, std::size_t i, const Point& offset, double heading_jump,
+void visit_carried(const Piece& any, Gear gear, const Point& offset, double heading_jump,
                    double magnitude, const Use& use) {
-  const double sign = path.gears[i] == Gear::forward ? 1 : -1;
+  const double sign = gear == Gear::forward ? 1 : -1;
   const Point ahead{sign * offset.x(), sign * offset.y()};
-  path.curve.pieces()[i].visit([&](const auto& piece) {
+  any.visit([&](const auto& piece) {
     using P = std::remove_cvref_t<decltype(piece)>;
     if constexpr (std::is_same_v<P, Segment> || std::is_same_v<P, Arc> ||
                   std::is_same_v<P, Clothoid>) {
@@ -79,23 +80,61 @@ void visit_carried(const VehiclePath& path, std::size_t i, const Point& offset, 
   });
 }
 
-/// Whether every disc of a vehicle keeps its distance from all obstacles along all of a path that
-/// it can drive. Stops at the first piece that is not proved.
-template <ClearanceSpace S>
-bool is_footprint_free(const S& space, const Vehicle& vehicle, const VehiclePath& path) {
-  for (std::size_t i = 0; i < path.gears.size(); ++i) {
-    for (const FootprintDisc& disc : vehicle.footprint) {
-      bool proved = true;
-      visit_carried(path, i, disc.offset, heading_tolerance, space.largest_coordinate(),
-                    [&](const auto& piece, double error) {
-                      const double distance = disc.radius + space.safety_radius() + error;
-                      proved = prove_distance(space, piece, distance).status == ProofStatus::proved;
-                    });
-      if (!proved) return false;
+/// Whether pieces are proved free for the footprint of a vehicle. A disc around the whole footprint
+/// is tried first, then the disc that failed last.
+class FootprintTest {
+ public:
+  explicit FootprintTest(const Vehicle& vehicle) : discs_(vehicle.footprint) {
+    Box box;
+    for (const FootprintDisc& disc : discs_) {
+      box.include(disc.offset - Point(disc.radius, disc.radius));
+      box.include(disc.offset + Point(disc.radius, disc.radius));
     }
+    around_.offset = lerp(box.min, box.max, 0.5);
+    for (const FootprintDisc& disc : discs_) {
+      around_.radius =
+          std::fmax(around_.radius, distance(around_.offset, disc.offset) + disc.radius);
+    }
+    around_.radius *= 1 + 1e-12;
   }
-  return true;
-}
+
+  template <ClearanceSpace S>
+  bool is_free(const S& space, const Piece& piece, Gear gear) {
+    if (discs_.size() > 1 && keeps(space, piece, gear, around_, around_.radius)) return true;
+    for (std::size_t k = 0; k < discs_.size(); ++k) {
+      if (keeps(space, piece, gear, discs_[k])) continue;
+      std::rotate(discs_.begin(), discs_.begin() + static_cast<std::ptrdiff_t>(k),
+                  discs_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      return false;
+    }
+    return true;
+  }
+  template <ClearanceSpace S>
+  bool is_free(const S& space, const VehiclePath& path) {
+    for (std::size_t i = 0; i < path.gears.size(); ++i) {
+      if (!is_free(space, path.curve.pieces()[i], path.gears[i])) return false;
+    }
+    return true;
+  }
+
+ private:
+  /// Whether a disc keeps the safety radius, and its centre `border` metres from the bounds' sides.
+  template <ClearanceSpace S>
+  static bool keeps(const S& space, const Piece& piece, Gear gear, const FootprintDisc& disc,
+                    double border = 0) {
+    bool proved = false;
+    visit_carried(piece, gear, disc.offset, heading_tolerance, space.largest_coordinate(),
+                  [&](const auto& path, double error) {
+                    if (border > 0 && !space.bounds().contains(path.box().inflated(border))) return;
+                    const double least = disc.radius + space.safety_radius() + error;
+                    proved = prove_distance(space, path, least).status == ProofStatus::proved;
+                  });
+    return proved;
+  }
+
+  std::vector<FootprintDisc> discs_;
+  FootprintDisc around_;
+};
 
 }  // namespace detail
 
@@ -125,8 +164,8 @@ VehicleCertificate certify(const S& space, const Vehicle& vehicle, const Vehicle
     Certificate one = detail::certify_pieces(
         space, path.gears.size(), disc.radius + space.safety_radius(),
         [&](std::size_t i, const auto& use) {
-          detail::visit_carried(path, i, disc.offset, certificate.max_heading_jump,
-                                space.largest_coordinate(), use);
+          detail::visit_carried(path.curve.pieces()[i], path.gears[i], disc.offset,
+                                certificate.max_heading_jump, space.largest_coordinate(), use);
         },
         options, budget);
     one.lower -= disc.radius;

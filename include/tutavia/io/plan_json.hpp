@@ -110,6 +110,17 @@ inline ResultJson result_head(const ResultHeader& header, std::string_view statu
           {"safety_radius", header.safety_radius}};
 }
 
+/// What a vehicle's path has besides its curve: the gear of every piece, the headings at both ends
+/// [rad] and the arc lengths at which the gear changes [m].
+inline void add_driving(ResultJson& json, const VehiclePath& path) {
+  ResultJson gears = ResultJson::array();
+  for (const Gear gear : path.gears) gears.push_back(to_string(gear));
+  json["gears"] = std::move(gears);
+  json["start_heading"] = path.start().heading;
+  json["goal_heading"] = path.end().heading;
+  json["cusps"] = path.cusps();
+}
+
 }  // namespace detail
 
 /// One entry of `results` for a plan. Numbers read back to the same double; infinite ones (the
@@ -125,6 +136,7 @@ inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const P
   if (!plan.route.found_by.empty()) json["found_by"] = plan.route.found_by;
   json["route"] = detail::to_json(plan.route.curve);
   json["curve"] = detail::to_json(plan.curve);
+  if (!plan.gears.empty()) detail::add_driving(json, {plan.curve, plan.gears});
   json["metrics"] = {{"length", m.length},
                      {"turning_points", m.turning_points},
                      {"turning_angle", m.turning_angle},

@@ -7,11 +7,13 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include "tutavia/certify/certificate.hpp"
 #include "tutavia/geometry/curvature.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/geometry/vehicle_path.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -96,15 +98,20 @@ auto turning_intervals(const P& piece) {
 
 }  // namespace detail
 
-/// Length, turning and curvature of a curve; clearances stay unset.
-inline PathMetrics measure(const Curve& curve) {
+/// Length, turning and curvature of a curve; clearances stay unset. Where the gear of a vehicle
+/// changes (`gears`, one per piece), its heading goes on: that is no corner, but ends a run.
+inline PathMetrics measure(const Curve& curve, std::span<const Gear> gears = {}) {
   PathMetrics metrics;
   metrics.length = curve.length();
   detail::TurnCounter turns(metrics);
   Point heading = Point::Zero();  // at the end of the previous pieces
   double bend = 0;                // their curvature there
-  for (const Piece& any : curve.pieces()) {
-    any.visit([&](const auto& piece) {
+  for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
+    if (i > 0 && !gears.empty() && gears[i] != gears[i - 1]) {
+      turns.end_run();
+      heading = Point::Zero();
+    }
+    curve.pieces()[i].visit([&](const auto& piece) {
       using P = std::decay_t<decltype(piece)>;
       if (detail::is_zero(piece.start_direction())) return;  // a single point
       if (!detail::is_zero(heading)) {
@@ -140,8 +147,9 @@ inline PathMetrics measure(const Curve& curve) {
 }
 
 /// The same, with the certified minimum clearance.
-inline PathMetrics measure(const Curve& curve, const Certificate& certificate) {
-  PathMetrics metrics = measure(curve);
+inline PathMetrics measure(const Curve& curve, const Certificate& certificate,
+                           std::span<const Gear> gears = {}) {
+  PathMetrics metrics = measure(curve, gears);
   metrics.min_clearance = certificate.lower;
   return metrics;
 }

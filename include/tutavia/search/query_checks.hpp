@@ -74,9 +74,15 @@ Expected<void, Failure> check_endpoint(const S& space, const Point& p, bool is_s
 
 }  // namespace detail
 
-/// Checks the start of a query, then its goal. Errors: those of `check_endpoint`.
+/// Checks a query without headings: its start, then its goal. Errors: `invalid_option` for a query
+/// with headings; those of `check_endpoint`.
 template <FreeSpace S>
 Expected<void, Failure> check_query(const S& space, const Query& query) {
+  if (query.start_heading || query.goal_heading) {
+    return fail(PlanError::invalid_option,
+                std::string(query.start_heading ? "start_heading" : "goal_heading") +
+                    ": this search plans no headings; use hybrid_astar (HybridAStar)");
+  }
   if (auto start = detail::check_endpoint(space, query.start, true); !start) return start;
   return detail::check_endpoint(space, query.goal, false);
 }

@@ -6,7 +6,9 @@
 
 #include "tutavia/core/budget.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/geometry/vehicle_path.hpp"
 #include "tutavia/plan/failure.hpp"
+#include "tutavia/plan/vehicle.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -24,6 +26,17 @@ concept Smoother = std::copyable<A> &&
     requires(const A& a, const S& space, const Curve& curve, const Budget& budget) {
   { A::name } -> std::convertible_to<std::string_view>;
   { a.smooth(space, curve, budget) } -> std::same_as<Expected<Curve, Failure>>;
+};
+
+/// A smoother of paths that vehicles drive. The result keeps the ends, the headings there, the
+/// turning radius and the gears that the vehicle has.
+///
+/// Example: tests/smooth/vehicle_shortcut_test.cpp.
+template <class A, class S>
+concept VehicleSmoother = Smoother<A, S> &&
+    requires(const A& a, const S& space, const Vehicle& vehicle, const VehiclePath& path,
+             const Budget& budget) {
+  { a.smooth(space, vehicle, path, budget) } -> std::same_as<Expected<VehiclePath, Failure>>;
 };
 
 namespace detail {

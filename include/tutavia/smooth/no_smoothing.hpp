@@ -5,7 +5,9 @@
 
 #include "tutavia/core/budget.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/geometry/vehicle_path.hpp"
 #include "tutavia/plan/failure.hpp"
+#include "tutavia/plan/vehicle.hpp"
 
 /// \file
 /// NoSmoothing: returns the route unchanged.
@@ -21,6 +23,11 @@ struct NoSmoothing {
   template <class S>
   Expected<Curve, Failure> smooth(const S&, const Curve& curve, const Budget&) const {
     return curve;
+  }
+  template <class S>
+  Expected<VehiclePath, Failure> smooth(const S&, const Vehicle&, const VehiclePath& path,
+                                        const Budget&) const {
+    return path;
   }
 };
 

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "tutavia/search/hybrid_astar.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "support/catch.hpp"
+#include "support/random_grids.hpp"
+#include "support/random_worlds.hpp"
+#include "support/scale.hpp"
+#include "support/searcher_contract.hpp"
+#include "support/vehicle_checker.hpp"
+#include "tutavia/space/cell_space.hpp"
+#include "tutavia/space/inflated_space.hpp"
+#include "tutavia/space/lattice_space.hpp"
+
+namespace {
+
+using namespace tutavia;
+using test::search_once;
+
+constexpr double pi = std::numbers::pi;
+
+/// Checks all that a route of a vehicle promises, by code that shares nothing with the search.
+void check_vehicle_route(const Workspace& world, const HybridAStar& search, const Query& query,
+                         const Route& route) {
+  REQUIRE(route.vehicle);
+  const VehiclePath path{route.curve, route.gears};
+  REQUIRE(path.gears.size() == path.curve.pieces().size());
+  CHECK(path.curve.start() == query.start);
+  CHECK(path.curve.end() == query.goal);
+  const Pose start{query.start, query.start_heading.value_or(path.start().heading)};
+  const Pose goal{query.goal, query.goal_heading.value_or(path.end().heading)};
+  const double largest = world.bounds.largest_coordinate();
+  CHECK(test::largest_jump(path, start, goal) <= 1e-12L * (1 + largest));
+  CHECK(std::abs(std::remainder(path.start().heading - start.heading, 2 * pi)) <= 1e-12);
+  CHECK(std::abs(std::remainder(path.end().heading - goal.heading, 2 * pi)) <= 1e-12);
+  const double radius = search.vehicle.min_turning_radius;
+  if (radius > 0) CHECK(test::largest_curvature(path) <= 1 / test::Real(radius));
+  for (const Gear gear : path.gears) CHECK((gear == Gear::forward || search.vehicle.reverse));
+  CHECK(test::clearance_deficit(world, search.vehicle, path) <= 1e-12L * (1 + largest));
+}
+
+Vehicle random_vehicle(Random& random, double size) {
+  const double radius = size * random.uniform(0.02, 0.12);
+  const bool reverse = random.below(4) != 0;
+  switch (random.below(3)) {
+    case 0:
+      return Vehicle::point(radius, reverse);
+    case 1:
+      return Vehicle::disc(size * random.uniform(0.01, 0.03), radius, reverse);
+    default: {
+      const double length = size * random.uniform(0.03, 0.1),
+                   width = length * random.uniform(0.3, 0.6);
+      return Vehicle::car(length, width, 0.6 * length, radius, reverse, width / 8);
+    }
+  }
+}
+
+TEST_CASE("routes in random worlds keep clearance, curvature and headings", "[soak]") {
+  const std::uint64_t seed = 31;
+  test::WorldGenerator worlds(seed);
+  Random random(seed);
+  std::size_t found = 0, refused = 0, cusps = 0;
+  for (std::size_t round = 0; round < test::scaled(200); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    Workspace world = worlds.workspace();
+    world.safety_radius = random.below(2) == 0 ? 0 : 0.01 * world.bounds.width();
+    const auto space = InflatedSpace::build(world).value();
+    const HybridAStar search{.vehicle = random_vehicle(random, world.bounds.width()),
+                             .reverse_weight = random.uniform(1, 2),
+                             .headings = 16,
+                             .searches = 2};
+    Query query{.start = worlds.point(world), .goal = worlds.point(world)};
+    if (random.below(4) != 0) query.start_heading = random.uniform(-7, 7);
+    if (random.below(4) != 0) query.goal_heading = random.uniform(-7, 7);
+    query.budget.max_expansions = 20'000;
+    const auto route = search_once(search, space, query);
+    if (!route) {
+      ++refused;
+      continue;
+    }
+    ++found;
+    check_vehicle_route(world, search, query, *route);
+    cusps += VehiclePath{route->curve, route->gears}.cusps().size();
+  }
+  CHECK(found > test::scaled(200) / 5);
+  CHECK(refused > test::scaled(200) / 20);
+  CHECK(cusps > test::scaled(200) / 40);
+}
+
+TEST_CASE("lattices and cells are searched as the workspace is") {
+  Workspace world{.bounds = {{0, 0}, {20, 20}}, .safety_radius = 0.3};
+  world.obstacles.emplace_back(Polygon{{{9, 0}, {11, 0}, {11, 14}, {9, 14}}});
+  const HybridAStar search{.vehicle = Vehicle::car(2, 1, 1.2, 2)};
+  const Query query{.start = {3, 3}, .goal = {17, 3}, .start_heading = 0, .goal_heading = pi};
+  const auto lattice = LatticeSpace::build(world, {.resolution = 0.25}).value();
+  const auto route = search_once(search, lattice, query);
+  REQUIRE(route);
+  check_vehicle_route(world, search, query, *route);
+
+  OccupancyGrid grid = test::free_grid(20, 20);
+  for (int y = 0; y < 14; ++y) {
+    for (int x = 9; x < 11; ++x) grid.set({x, y}, false);
+  }
+  const auto cells = CellSpace::build(grid, {.safety_radius = 0.3}).value();
+  const auto on_cells = search_once(search, cells, query);
+  REQUIRE(on_cells);
+  check_vehicle_route(world, search, query, *on_cells);
+}
+
+/// An axis-parallel rectangle.
+Polygon rectangle(double x0, double y0, double x1, double y1) {
+  return Polygon{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
+}
+
+TEST_CASE("a car parks into a parallel gap of 6 m and into a bay of 2.6 m") {
+  const HybridAStar search{.vehicle = Vehicle::car(4.5, 1.8, 2.7, 5)};
+  Workspace street{.bounds = {{-20, -8}, {20, 8}}};
+  street.obstacles = {rectangle(-20, -1.9, -3, -0.1), rectangle(3, -1.9, 20, -0.1),
+                      rectangle(-20, -2.4, 20, -2.2), rectangle(-20, 6, 20, 6.5)};
+  Workspace bays{.bounds = {{-20, -8}, {20, 8}}};
+  bays.obstacles = {rectangle(-20, -6, -1.3, -0.8), rectangle(1.3, -6, 20, -0.8),
+                    rectangle(-20, -6.4, 20, -6.1), rectangle(-20, 6, 20, 6.5)};
+  const auto parks = [&](const Workspace& world, const Query& query) {
+    const auto route = search_once(search, InflatedSpace::build(world).value(), query);
+    REQUIRE(route);
+    check_vehicle_route(world, search, query, *route);
+  };
+  parks(street, {.start = {-8, 1.5}, .goal = {-1.35, -1}, .start_heading = 0, .goal_heading = 0});
+  parks(bays, {.start = {-8, 1.5}, .goal = {0, -2.2}, .start_heading = 0, .goal_heading = -pi / 2});
+  parks(bays, {.start = {-8, 1.5}, .goal = {0, -4.6}, .start_heading = 0, .goal_heading = pi / 2});
+}
+
+TEST_CASE("a vehicle that turns on the spot takes the path of a robot without headings") {
+  Workspace world{.bounds = {{0, 0}, {20, 20}}, .safety_radius = 0.2};
+  world.obstacles.emplace_back(rectangle(9, 0, 11, 14));
+  const Query query{.start = {3, 3}, .goal = {17, 3}, .start_heading = 1, .goal_heading = -2};
+  const Query plain{.start = query.start, .goal = query.goal};
+  const auto space = InflatedSpace::build(world).value();
+  for (const double radius : {0.0, 0.5}) {
+    const HybridAStar search{.vehicle = Vehicle::disc(radius)};
+    const auto route = search_once(search, space, query);
+    REQUIRE(route);
+    const auto wide = space.with_safety_radius(0.2 + radius).value();
+    CHECK(route->cost == search_once(AutoSearch{}, wide, plain)->cost);
+    check_vehicle_route(world, search, query, *route);
+    const VehiclePath path{route->curve, route->gears};
+    CHECK(certify(space, search.vehicle, path).status == ProofStatus::proved);
+  }
+  Query still{.start = {3, 3}, .goal = {3, 3}, .start_heading = 1, .goal_heading = -2};
+  for (const double turning : {0.0, 1.0}) {
+    const HybridAStar search{.vehicle = Vehicle::point(turning, true)};
+    check_vehicle_route(world, search, still, *search_once(search, space, still));
+  }
+  still.goal_heading = 1;
+  for (const double turning : {0.0, 1.0}) {
+    const HybridAStar search{.vehicle = Vehicle::point(turning, true)};
+    const auto route = search_once(search, space, still);
+    check_vehicle_route(world, search, still, *route);
+    CHECK(route->curve.length() == 0);
+  }
+}
+
+TEST_CASE("failures of vehicles say what is wrong") {
+  Workspace world{.bounds = {{0, 0}, {20, 20}}, .safety_radius = 0.2};
+  world.obstacles.emplace_back(rectangle(9, 0, 11, 20));
+  const auto space = InflatedSpace::build(world).value();
+  const auto failure = [&](const HybridAStar& search, const Query& query) {
+    const auto route = search_once(search, space, query);
+    REQUIRE_FALSE(route);
+    return route.error();
+  };
+  const HybridAStar car{.vehicle = Vehicle::car(2, 1, 1.2, 2)};
+  const auto code = [&](const Query& query) { return failure(car, query).code; };
+  const double nan = std::nan("");
+  CHECK(code({.start = {3, 3}, .goal = {17, 3}}) == PlanError::unreachable);
+  CHECK(code({.start = {7.5, 3}, .goal = {3, 3}, .start_heading = 0}) == PlanError::start_blocked);
+  CHECK(code({.start = {3, 3}, .goal = {0.5, 3}, .goal_heading = pi}) != PlanError::start_blocked);
+  CHECK(code({.start = {3, 3}, .goal = {7.5, 3}, .goal_heading = 0}) == PlanError::goal_blocked);
+  CHECK(code({.start = {-3, 3}, .goal = {7, 3}}) == PlanError::start_out_of_bounds);
+  CHECK(code({.start = {3, 3}, .goal = {7, nan}}) == PlanError::invalid_input);
+  CHECK(code({.start = {3, 3}, .goal = {7, 3}, .start_heading = nan}) == PlanError::invalid_input);
+  const Query query{.start = {3, 3}, .goal = {5, 5}};
+  HybridAStar bad = car;
+  for (double HybridAStar::*weight : {&HybridAStar::reverse_weight, &HybridAStar::cusp_cost}) {
+    bad = car;
+    bad.*weight = nan;
+    CHECK(failure(bad, query).code == PlanError::invalid_option);
+  }
+  bad = car;
+  bad.headings = 2;
+  CHECK(failure(bad, query).code == PlanError::invalid_option);
+  Query limited{.start = {3, 3}, .goal = {3.5, 3.2}, .start_heading = 0, .goal_heading = 0};
+  limited.budget.max_expansions = 0;
+  CHECK(failure(car, limited).code == PlanError::budget_exhausted);
+}
+
+TEST_CASE("searches without headings refuse a query with headings by its name") {
+  const auto space = CellSpace::build(test::free_grid(9, 9)).value();
+  Query query{.start = {1.5, 1.5}, .goal = {5.5, 5.5}, .goal_heading = 1};
+  const auto route = search_once(AutoSearch{}, space, query);
+  REQUIRE_FALSE(route);
+  CHECK(route.error().code == PlanError::invalid_option);
+  CHECK(route.error().detail.find("goal_heading") != std::string::npos);
+  CHECK(route.error().detail.find("hybrid_astar") != std::string::npos);
+}
+
+}  // namespace
