@@ -74,10 +74,12 @@ class TangentVisibilityGraph {
   }
 
   /// Calls `visit(node)` for all nodes to which there may be an edge from a circle. `from` is the
-  /// circle's node, or `none`. A fast test drops most nodes that cannot be touched.
+  /// circle's node, or `none`; `sight` has looked from the circle, or hides nothing. Fast tests
+  /// drop most nodes that cannot be touched or are hidden.
   template <class Visit>
-  void for_each_candidate(const detail::OrientedCircle& at, Node from, Visit visit) const {
-    circles_.for_each_candidate(at, from, visit);
+  void for_each_candidate(const detail::OrientedCircle& at, Node from,
+                          const detail::SightSectors& sight, Visit visit) const {
+    circles_.for_each_candidate(at, from, sight, visit);
   }
 
   bool is_prepared() const { return !first_edge_.empty(); }
@@ -150,11 +152,13 @@ Expected<TangentVisibilityGraph, Failure> TangentVisibilityGraph::prepare(const 
                                                                           const Budget& budget) {
   TangentVisibilityGraph map(space);
   std::vector<Edge> edges;
+  detail::SightSectors sight;
   for (Node from = 0; from < map.nodes(); ++from) {
     if (from % 16 == 0) {
       if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "preparing tangents");
     }
-    map.for_each_candidate(map.circle(from), from, [&](Node to) {
+    if (from % 2 == 0) sight.look_from(space, map.circle(from), map.circles_.size());
+    map.for_each_candidate(map.circle(from), from, sight, [&](Node to) {
       // Edges to earlier circles were found from those circles, in reverse.
       if (to / 2 > from / 2) map.find_edge(space, from, to, edges);
     });

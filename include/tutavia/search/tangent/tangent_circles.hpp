@@ -14,6 +14,7 @@
 #include "tutavia/geometry/predicates.hpp"
 #include "tutavia/geometry/segment.hpp"
 #include "tutavia/geometry/tangent/tangent_line.hpp"
+#include "tutavia/search/tangent/sight_sectors.hpp"
 #include "tutavia/space/concepts.hpp"
 #include "tutavia/space/index/passing_radius.hpp"
 
@@ -55,7 +56,8 @@ class TangentCircles {
   bool touches(Node node, const Point& direction) const;
   /// Calls `visit(node)` for the nodes to which there may be an edge; see TangentVisibilityGraph.
   template <class Visit>
-  void for_each_candidate(const OrientedCircle& at, Node from, Visit visit) const;
+  void for_each_candidate(const OrientedCircle& at, Node from, const SightSectors& sight,
+                          Visit visit) const;
   /// For each circle, the index of the equal circle in `others`; `none` if there is none.
   std::vector<Node> indices_in(const TangentCircles& others) const;
 
@@ -155,12 +157,14 @@ inline bool TangentCircles::may_touch(const Circle& circle, int side, const Poin
 }
 
 template <class Visit>
-void TangentCircles::for_each_candidate(const OrientedCircle& at, Node from, Visit visit) const {
+void TangentCircles::for_each_candidate(const OrientedCircle& at, Node from,
+                                        const SightSectors& sight, Visit visit) const {
   for (Node i = 0; i < circles_.size(); ++i) {
     const Circle& circle = circles_[i];
     const Point between{circle.center.x() - at.center.x(), circle.center.y() - at.center.y()};
     const double radii = circle.radius + at.radius;
     const bool is_near = between.squaredNorm() < 16 * radii * radii;
+    if (!is_near && sight.hides(between, circle.radius)) continue;
     if (!is_near && from != none && !may_touch(circles_[from / 2], at.side, between, radii)) {
       continue;
     }

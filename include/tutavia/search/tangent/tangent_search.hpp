@@ -125,6 +125,8 @@ class TangentSearch {
 
  private:
   static constexpr TangentVisibilityGraph::Node none = TangentVisibilityGraph::none;
+  /// With fewer circles, looking around takes longer than it saves.
+  static constexpr std::size_t many_circles = 1000;
 
   /// The goal is one more node; the start has none.
   TangentVisibilityGraph::Node goal_node() const { return map_.nodes(); }
@@ -165,8 +167,10 @@ class TangentSearch {
       for (const TangentVisibilityGraph::Node node : map_.edges(from.node))
         generate(index, from, node, true);
     } else {
+      const std::size_t circles = map_.nodes() / 2;
+      if (circles >= many_circles) sight_.look_from(space_, circle_of(from.node), circles);
       map_.for_each_candidate(
-          circle_of(from.node), from.node,
+          circle_of(from.node), from.node, sight_,
           [&](TangentVisibilityGraph::Node node) { generate(index, from, node, false); });
     }
     generate(index, from, goal_node(), false);
@@ -226,6 +230,7 @@ class TangentSearch {
   const TangentVisibilityGraph& map_;
   double bound_;
   TangentScratch& scratch_;
+  SightSectors sight_;
   std::uint32_t sequence_ = 0;
 };
 
