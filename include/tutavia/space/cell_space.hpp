@@ -236,7 +236,9 @@ NearestObstacle CellSpace::nearest(const P& piece, double cap) const {
 inline bool CellSpace::segment_free(const Point& p, const Point& q) const {
   if (!bounds_.contains(p) || !bounds_.contains(q)) return false;
   const Segment segment{p, q};
-  if (safety_radius_ == 0) return !edges().meets_inside(segment);
+  // Quicker than distances, and enough for most segments that are not free.
+  if (edges().meets_inside(segment)) return false;
+  if (safety_radius_ == 0) return true;
   const double reach = safety_radius_ + distance_error_bound();
   const double distance = nearest(segment, reach).distance;
   if (distance < safety_radius_ - distance_error_bound()) return false;
@@ -248,7 +250,7 @@ inline bool CellSpace::segment_free(const Point& p, const Point& q) const {
       return reach;
     });
   }
-  return free && !is_inside(p);
+  return free;
 }
 
 inline double CellSpace::clearance(const Point& p) const {
