@@ -141,7 +141,9 @@ class RectangleSearch {
 
   /// Records a path to a cell. Returns whether it is the first or a cheaper one.
   bool improve(Cell cell, Cost g, std::uint32_t expansion) {
-    const std::size_t index = grid_.index(cell);
+    return improve(grid_.index(cell), cell, g, expansion);
+  }
+  bool improve(std::size_t index, Cell cell, Cost g, std::uint32_t expansion) {
     const ReaScratch::Label* known = scratch_.labels.find(index);
     if (known != nullptr && known->g <= g) return false;
     scratch_.labels.set(index, {.g = g, .expansion = expansion & none});
@@ -221,17 +223,28 @@ class RectangleSearch {
     const BorderCosts& costs = scratch_.border;
     scratch_.border.reach(span);
     const CellInterval beyond = edge.beyond();
+    const std::size_t stride = edge.axis == 0 ? 1 : space_.grid().stride();
+    const std::size_t inner = grid_.index(edge.cell(0)), outer = grid_.index(beyond.cell(0));
+    const auto index_of = [stride](std::size_t origin, int u) {
+      return origin + stride * static_cast<std::size_t>(u);
+    };
     for (const auto& [exit_first, exit_last] : scratch_.exits) {
       const int first = std::max(exit_first, edge.first), last = std::min(exit_last, edge.last);
-      for (int q = first; q <= last; ++q) improve(edge.cell(q), costs[q], expansion);
+      for (int q = first; q <= last; ++q) {
+        improve(index_of(inner, q), edge.cell(q), costs[q], expansion);
+      }
+      // The costs of the cells of the side next to p - 1, p and p + 1.
+      constexpr Cost beyond_side = std::numeric_limits<Cost>::max() / 2;
+      const auto cost_at = [&](int q) { return q >= first && q <= last ? costs[q] : beyond_side; };
+      Cost before = cost_at(exit_first - 1), here = cost_at(exit_first);
       Cost key = std::numeric_limits<Cost>::max();
       for (int p = exit_first; p <= exit_last; ++p) {
-        Cost cost = std::numeric_limits<Cost>::max();
-        for (int q = std::max(p - 1, first); q <= std::min(p + 1, last); ++q) {
-          cost = std::min(cost, costs[q] + (q == p ? straight_cost : diagonal_cost));
-        }
+        const Cost after = cost_at(p + 1);
+        const Cost cost = std::min(here + straight_cost, std::min(before, after) + diagonal_cost);
+        before = std::exchange(here, after);
         const Cell to = beyond.cell(p);
-        if (improve(to, cost, expansion)) key = std::min(key, cost + estimate_(to));
+        if (improve(index_of(outer, p), to, cost, expansion))
+          key = std::min(key, cost + estimate_(to));
       }
       if (key < std::numeric_limits<Cost>::max()) {
         push({beyond.axis, beyond.line, exit_first, exit_last, beyond.side}, key, expansion);
