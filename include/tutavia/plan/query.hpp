@@ -14,7 +14,8 @@
 namespace tutavia {
 
 /// Start, goal and budget of one search. A missing start or goal is `invalid_input`. A search that
-/// does not plan headings refuses a query with headings by `invalid_option` (HybridAStar plans them).
+/// does not plan headings refuses a query with headings by `invalid_option` (HybridAStar plans
+/// them).
 struct Query {
   Point start{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   Point goal{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
