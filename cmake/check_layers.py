@@ -66,6 +66,8 @@ SHARED = {
     "grid/bitboard/turn_planes.hpp": "spaces keep the planes in which searches jump",
     "grid/bitboard/successors.hpp": "searches step through the tables of successors",
     "grid/bitboard/transposed.hpp": "spaces keep their columns as rows",
+    "search/vehicle/drive_chain.hpp": "searches and smoothers chain drives of vehicles",
+    "search/vehicle/driving_costs.hpp": "searches and smoothers weigh drives alike",
     "smooth/route/curve_side.hpp": "repairs join new parts to what stays of a curve",
     "smooth/route/risk_runs.hpp": "plans keep smoothed curves out of the zones a search avoided",
     "space/index/passing_radius.hpp": "tangents leave the rounding of a proof to each side",

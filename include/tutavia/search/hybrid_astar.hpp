@@ -80,14 +80,15 @@ struct HybridAStar {
     const bool from_goal =
         vehicle.reverse && clearance(space, wrapped.goal, wrapped.goal_heading) <
                                0.5 * clearance(space, wrapped.start, wrapped.start_heading);
-    detail::DrivingCosts costs{1, reverse_weight, cusp_cost, heuristic_weight};
+    detail::DrivingCosts costs{1, reverse_weight, cusp_cost};
     if (from_goal) {
       std::swap(wrapped.start, wrapped.goal);
       std::swap(wrapped.start_heading, wrapped.goal_heading);
       std::swap(costs.forward, costs.reverse);
     }
     detail::SearchContext<S, O> context{space, query, observer};
-    detail::HybridSearch<S, O> search(context, wrapped, vehicle, costs, scratch.states);
+    detail::HybridSearch<S, O> search(context, wrapped, vehicle, costs, heuristic_weight,
+                                      scratch.states);
     const auto found = [&](VehiclePath path) {
       return route_of(from_goal ? path.reversed() : std::move(path), context.statistics);
     };
@@ -177,12 +178,7 @@ struct HybridAStar {
 
   Route route_of(VehiclePath path, const Statistics& stats) const {
     Route route;
-    const std::vector<double> cusps = path.cusps();
-    route.cost = cusp_cost * static_cast<double>(cusps.size());
-    for (std::size_t i = 0; i < path.gears.size(); ++i) {
-      const double length = path.curve.length_before(i + 1) - path.curve.length_before(i);
-      route.cost += path.gears[i] == Gear::reverse ? reverse_weight * length : length;
-    }
+    route.cost = detail::cost_of(path, {1, reverse_weight, cusp_cost});
     route.curve = std::move(path.curve);
     route.gears = std::move(path.gears);
     route.vehicle = vehicle;

@@ -17,6 +17,7 @@
 #include "tutavia/geometry/reeds_shepp.hpp"
 #include "tutavia/search/grid/search_context.hpp"
 #include "tutavia/search/vehicle/distance_to_go.hpp"
+#include "tutavia/search/vehicle/driving_costs.hpp"
 #include "tutavia/search/vehicle/hybrid_states.hpp"
 
 /// \file
@@ -30,29 +31,6 @@ struct HybridScratch {
   std::vector<HybridEntry> open;
   NumberSet closed;
 };
-
-/// The cost of driving, beside its length, and how far from the cheapest a path may be.
-struct DrivingCosts {
-  double forward = 1;    ///< of a metre
-  double reverse = 1;    ///< of a metre in reverse
-  double cusp = 0;       ///< a change of gear costs so much [m]
-  double heuristic = 1;  ///< factor of the heuristic
-};
-
-/// The cost of a word that follows a move in gear `before` [m].
-inline double cost_of(const SteeringWord& word, double radius, const DrivingCosts& costs,
-                      std::optional<Gear> before) {
-  double cost = 0;
-  for (std::size_t i = 0; i < word.size; ++i) {
-    const double length = radius * word.moves[i].length;
-    if (std::abs(length) <= steering_rounding * radius) continue;
-    const Gear gear = gear_of(length);
-    if (before && *before != gear) cost += costs.cusp;
-    cost += gear == Gear::reverse ? -costs.reverse * length : costs.forward * length;
-    before = gear;
-  }
-  return cost;
-}
 
 /// A* over positions and headings of a vehicle.
 ///
@@ -68,12 +46,13 @@ class HybridSearch {
  public:
   /// The query is that of the context or the same in the other direction.
   HybridSearch(SearchContext<S, O>& context, const Query& query, const Vehicle& vehicle,
-               const DrivingCosts& costs, HybridScratch& scratch)
+               const DrivingCosts& costs, double heuristic_weight, HybridScratch& scratch)
       : context_(context),
         query_(query),
         vehicle_(vehicle),
         radius_(vehicle.min_turning_radius),
         costs_(costs),
+        heuristic_weight_(heuristic_weight),
         footprint_(vehicle),
         states_(scratch.states),
         open_(scratch.open),
@@ -89,7 +68,7 @@ class HybridSearch {
     best_ = {};
     shoot(0);
     const double shortest = length_to_goal(pose(state(0)));
-    if (!(best_.cost <= costs_.heuristic * shortest)) return std::nullopt;
+    if (!(best_.cost <= heuristic_weight_ * shortest)) return std::nullopt;
     return path_to(0, true);
   }
 
@@ -201,7 +180,7 @@ class HybridSearch {
     if (!(s.cost + estimate < best_.cost)) return;
     if (closed_.contains(place(s))) return;
     states_.push_back(s);
-    push(s.cost + costs_.heuristic * estimate, static_cast<std::uint32_t>(states_.size() - 1),
+    push(s.cost + heuristic_weight_ * estimate, static_cast<std::uint32_t>(states_.size() - 1),
          Kind::near_estimate);
     context_.count_generated(s.position);
   }
@@ -211,11 +190,11 @@ class HybridSearch {
     const HybridState s = state(entry.state);
     if (closed_.contains(place(s))) return;
     if (entry.kind == Kind::near_estimate) {
-      const double enough = (static_cast<double>(entry.key) * 0x1p-20 - s.cost) / costs_.heuristic;
+      const double enough = (static_cast<double>(entry.key) * 0x1p-20 - s.cost) / heuristic_weight_;
       const double way = to_go_->refined(s.position, enough + 4 * cell_);
       const double estimate = std::fmax(way, length_to_goal(pose(s)));
       if (!(s.cost + estimate < best_.cost)) return;
-      const double key = s.cost + costs_.heuristic * estimate;
+      const double key = s.cost + heuristic_weight_ * estimate;
       if (key_of(key) > entry.key) {
         return push(key, entry.state, way > enough ? Kind::near_estimate : Kind::full_estimate);
       }
@@ -374,6 +353,7 @@ class HybridSearch {
   const Vehicle& vehicle_;
   double radius_;
   DrivingCosts costs_;
+  double heuristic_weight_;
   DistanceToGo<S>* to_go_ = nullptr;
   FootprintTest footprint_;
   std::vector<HybridState>& states_;

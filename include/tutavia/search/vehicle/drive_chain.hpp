@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tutavia/certify/certify_vehicle.hpp"
+#include "tutavia/core/budget.hpp"
+#include "tutavia/geometry/dubins.hpp"
+#include "tutavia/geometry/reeds_shepp.hpp"
+#include "tutavia/plan/vehicle.hpp"
+#include "tutavia/search/vehicle/driving_costs.hpp"
+
+/// \file
+/// DriveChain: the cheapest chain of drives through some of a row of places.
+
+namespace tutavia::detail {
+
+/// The cheapest way from the first of a row of places to the last, by shortest drives between any
+/// two of them (Reeds and Shepp, or Dubins without reverse) that are proved free, and by ways that
+/// are known between neighbours. Found by dynamic programming over places and gears.
+class DriveChain {
+ public:
+  /// A known way from the place before.
+  struct KnownWay {
+    Gear gear;
+    double cost;  ///< [m]
+  };
+  /// A step of the chain: the drive to place `to`, or the known ways from place to place.
+  struct Step {
+    std::size_t from, to;
+    std::optional<SteeringWord> drive;
+  };
+
+  DriveChain(const Vehicle& vehicle, const DrivingCosts& costs, std::span<const Pose> places)
+      : vehicle_(vehicle), costs_(costs), places_(places), ways_(places.size()) {}
+
+  /// The chain, from the first place on; empty if there is none, or the budget ends. `known(i)` is
+  /// the known way to place i, if any.
+  template <ClearanceSpace S, class Known>
+  std::vector<Step> cheapest(const S& space, FootprintTest& footprint, const Known& known,
+                             const Budget& budget) {
+    for (std::size_t to = 1; to < places_.size(); ++to) {
+      if (budget.exceeded()) return {};
+      if (const std::optional<KnownWay> way = known(to)) take(to, *way);
+      collect(to);
+      for (const Candidate& c : candidates_) {
+        Way& way = ways_[to][c.gear];
+        if (!(c.cost < way.cost)) continue;
+        if (footprint.is_free(space, path(c.drive, c.from, to))) {
+          way = {c.cost, c.from, c.gear_before, c.drive};
+        }
+      }
+    }
+    return steps();
+  }
+
+  VehiclePath path(const SteeringWord& drive, std::size_t from, std::size_t to) const {
+    return vehicle_path(drive, places_[from], places_[to], vehicle_.min_turning_radius);
+  }
+
+ private:
+  /// How a place is reached in one gear.
+  struct Way {
+    double cost = std::numeric_limits<double>::infinity();
+    std::size_t from = 0, gear_before = 0;
+    std::optional<SteeringWord> drive{};  // empty: the known way
+  };
+  /// A drive that would be cheaper, if it is free.
+  struct Candidate {
+    double cost;
+    std::size_t from, gear_before, gear;
+    SteeringWord drive;
+  };
+
+  static std::size_t number(Gear gear) { return gear == Gear::forward ? 0 : 1; }
+
+  double cost_at(std::size_t place, std::size_t gear) const {
+    return place == 0 ? 0.0 : ways_[place][gear].cost;
+  }
+  /// The cost of a change of gear at a place; none at the start.
+  double change(std::size_t place, std::size_t before, Gear gear) const {
+    return place > 0 && before != number(gear) ? costs_.cusp : 0;
+  }
+
+  void take(std::size_t to, const KnownWay& known) {
+    for (std::size_t before = 0; before < 2; ++before) {
+      const double cost = cost_at(to - 1, before) + change(to - 1, before, known.gear) + known.cost;
+      Way& way = ways_[to][number(known.gear)];
+      if (cost < way.cost) way = {cost, to - 1, before, std::nullopt};
+    }
+  }
+
+  /// Collects the drives to a place from all earlier ones, the cheapest first.
+  void collect(std::size_t to) {
+    candidates_.clear();
+    const double radius = vehicle_.min_turning_radius;
+    for (std::size_t from = 0; from < to; ++from) {
+      const SteeringWord drive =
+          (vehicle_.reverse ? reeds_shepp_word(places_[from], places_[to], radius)
+                            : dubins_word(places_[from], places_[to], radius))
+              .without_rounding();
+      if (drive.size == 0) continue;
+      const Gear first = gear_of(drive.moves[0].length);
+      const std::size_t gear = number(gear_of(drive.moves[drive.size - 1].length));
+      const double cost = cost_of(drive, radius, costs_, std::nullopt);
+      for (std::size_t before = 0; before < 2; ++before) {
+        const double total = cost_at(from, before) + change(from, before, first) + cost;
+        if (total < ways_[to][gear].cost * (1 - 1e-9)) {
+          candidates_.push_back({total, from, before, gear, drive});
+        }
+      }
+    }
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  }
+
+  std::vector<Step> steps() const {
+    std::size_t place = places_.size() - 1;
+    std::size_t gear = ways_[place][1].cost < ways_[place][0].cost ? 1 : 0;
+    std::vector<Step> chain;
+    if (ways_[place][gear].cost == std::numeric_limits<double>::infinity()) return chain;
+    while (place > 0) {
+      const Way& way = ways_[place][gear];
+      chain.push_back({way.from, place, way.drive});
+      place = way.from;
+      gear = way.gear_before;
+    }
+    std::reverse(chain.begin(), chain.end());
+    return chain;
+  }
+
+  const Vehicle& vehicle_;
+  DrivingCosts costs_;
+  std::span<const Pose> places_;
+  std::vector<std::array<Way, 2>> ways_;  // by the gear in which a place is reached
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace tutavia::detail

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "tutavia/geometry/steering_word.hpp"
+#include "tutavia/geometry/vehicle_path.hpp"
+
+/// \file
+/// DrivingCosts: what driving costs, beside its length.
+
+namespace tutavia::detail {
+
+/// The cost of driving, beside its length.
+struct DrivingCosts {
+  double forward = 1;  ///< of a metre
+  double reverse = 1;  ///< of a metre in reverse
+  double cusp = 0;     ///< of a change of gear [m]
+};
+
+/// The cost of a word that follows a move in gear `before` [m].
+inline double cost_of(const SteeringWord& word, double radius, const DrivingCosts& costs,
+                      std::optional<Gear> before) {
+  double cost = 0;
+  for (std::size_t i = 0; i < word.size; ++i) {
+    const double length = radius * word.moves[i].length;
+    if (std::abs(length) <= steering_rounding * radius) continue;
+    const Gear gear = gear_of(length);
+    if (before && *before != gear) cost += costs.cusp;
+    cost += gear == Gear::reverse ? -costs.reverse * length : costs.forward * length;
+    before = gear;
+  }
+  return cost;
+}
+
+/// The cost of a path [m].
+inline double cost_of(const VehiclePath& path, const DrivingCosts& costs) {
+  double cost = costs.cusp * static_cast<double>(path.cusps().size());
+  for (std::size_t i = 0; i < path.gears.size(); ++i) {
+    const double length = path.curve.length_before(i + 1) - path.curve.length_before(i);
+    cost += path.gears[i] == Gear::reverse ? costs.reverse * length : costs.forward * length;
+  }
+  return cost;
+}
+
+}  // namespace tutavia::detail
