@@ -15,6 +15,7 @@
 #include "tutavia/search/first_of.hpp"
 #include "tutavia/search/flow_field.hpp"
 #include "tutavia/search/heuristic.hpp"
+#include "tutavia/search/heading_join.hpp"
 #include "tutavia/search/hybrid_astar.hpp"
 #include "tutavia/search/improved_rea_star.hpp"
 #include "tutavia/search/informed_rrt_star.hpp"

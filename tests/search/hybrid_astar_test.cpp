@@ -9,11 +9,11 @@
 #include <string>
 
 #include "support/catch.hpp"
+#include "support/check_vehicle_route.hpp"
 #include "support/random_grids.hpp"
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
 #include "support/searcher_contract.hpp"
-#include "support/vehicle_checker.hpp"
 #include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/inflated_space.hpp"
 #include "tutavia/space/lattice_space.hpp"
@@ -24,26 +24,6 @@ using namespace tutavia;
 using test::search_once;
 
 constexpr double pi = std::numbers::pi;
-
-/// Checks all that a route of a vehicle promises, by code that shares nothing with the search.
-void check_vehicle_route(const Workspace& world, const HybridAStar& search, const Query& query,
-                         const Route& route) {
-  REQUIRE(route.vehicle);
-  const VehiclePath path{route.curve, route.gears};
-  REQUIRE(path.gears.size() == path.curve.pieces().size());
-  CHECK(path.curve.start() == query.start);
-  CHECK(path.curve.end() == query.goal);
-  const Pose start{query.start, query.start_heading.value_or(path.start().heading)};
-  const Pose goal{query.goal, query.goal_heading.value_or(path.end().heading)};
-  const double largest = world.bounds.largest_coordinate();
-  CHECK(test::largest_jump(path, start, goal) <= 1e-12L * (1 + largest));
-  CHECK(std::abs(std::remainder(path.start().heading - start.heading, 2 * pi)) <= 1e-12);
-  CHECK(std::abs(std::remainder(path.end().heading - goal.heading, 2 * pi)) <= 1e-12);
-  const double radius = search.vehicle.min_turning_radius;
-  if (radius > 0) CHECK(test::largest_curvature(path) <= 1 / test::Real(radius));
-  for (const Gear gear : path.gears) CHECK((gear == Gear::forward || search.vehicle.reverse));
-  CHECK(test::clearance_deficit(world, search.vehicle, path) <= 1e-12L * (1 + largest));
-}
 
 Vehicle random_vehicle(Random& random, double size) {
   const double radius = size * random.uniform(0.02, 0.12);
@@ -85,7 +65,7 @@ TEST_CASE("routes in random worlds keep clearance, curvature and headings", "[so
       continue;
     }
     ++found;
-    check_vehicle_route(world, search, query, *route);
+    test::check_vehicle_route(world, search.vehicle, query, *route);
     cusps += VehiclePath{route->curve, route->gears}.cusps().size();
   }
   CHECK(found > test::scaled(200) / 5);
@@ -101,7 +81,7 @@ TEST_CASE("lattices and cells are searched as the workspace is") {
   const auto lattice = LatticeSpace::build(world, {.resolution = 0.25}).value();
   const auto route = search_once(search, lattice, query);
   REQUIRE(route);
-  check_vehicle_route(world, search, query, *route);
+  test::check_vehicle_route(world, search.vehicle, query, *route);
 
   OccupancyGrid grid = test::free_grid(20, 20);
   for (int y = 0; y < 14; ++y) {
@@ -110,7 +90,7 @@ TEST_CASE("lattices and cells are searched as the workspace is") {
   const auto cells = CellSpace::build(grid, {.safety_radius = 0.3}).value();
   const auto on_cells = search_once(search, cells, query);
   REQUIRE(on_cells);
-  check_vehicle_route(world, search, query, *on_cells);
+  test::check_vehicle_route(world, search.vehicle, query, *on_cells);
 }
 
 /// An axis-parallel rectangle.
@@ -129,7 +109,7 @@ TEST_CASE("a car parks into a parallel gap of 6 m and into a bay of 2.6 m") {
   const auto parks = [&](const Workspace& world, const Query& query) {
     const auto route = search_once(search, InflatedSpace::build(world).value(), query);
     REQUIRE(route);
-    check_vehicle_route(world, search, query, *route);
+    test::check_vehicle_route(world, search.vehicle, query, *route);
   };
   parks(street, {.start = {-8, 1.5}, .goal = {-1.35, -1}, .start_heading = 0, .goal_heading = 0});
   parks(bays, {.start = {-8, 1.5}, .goal = {0, -2.2}, .start_heading = 0, .goal_heading = -pi / 2});
@@ -148,20 +128,20 @@ TEST_CASE("a vehicle that turns on the spot takes the path of a robot without he
     REQUIRE(route);
     const auto wide = space.with_safety_radius(0.2 + radius).value();
     CHECK(route->cost == search_once(AutoSearch{}, wide, plain)->cost);
-    check_vehicle_route(world, search, query, *route);
+    test::check_vehicle_route(world, search.vehicle, query, *route);
     const VehiclePath path{route->curve, route->gears};
     CHECK(certify(space, search.vehicle, path).status == ProofStatus::proved);
   }
   Query still{.start = {3, 3}, .goal = {3, 3}, .start_heading = 1, .goal_heading = -2};
   for (const double turning : {0.0, 1.0}) {
     const HybridAStar search{.vehicle = Vehicle::point(turning, true)};
-    check_vehicle_route(world, search, still, *search_once(search, space, still));
+    test::check_vehicle_route(world, search.vehicle, still, *search_once(search, space, still));
   }
   still.goal_heading = 1;
   for (const double turning : {0.0, 1.0}) {
     const HybridAStar search{.vehicle = Vehicle::point(turning, true)};
     const auto route = search_once(search, space, still);
-    check_vehicle_route(world, search, still, *route);
+    test::check_vehicle_route(world, search.vehicle, still, *route);
     CHECK(route->curve.length() == 0);
   }
 }

@@ -67,8 +67,7 @@ struct HybridAStar {
   template <ClearanceSpace S, Observer O = NoObserver>
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
-    if (auto valid = check_options(); !valid) return std::move(valid).unexpected();
-    if (auto valid = check_ends(space, query); !valid) return std::move(valid).unexpected();
+    if (auto valid = check(space, query); !valid) return std::move(valid).unexpected();
     if (vehicle.min_turning_radius == 0) {
       return detail::search_on_the_spot(space, vehicle, query, scratch.on_the_spot, observer);
     }
@@ -109,6 +108,13 @@ struct HybridAStar {
         {.code = PlanError::unreachable_at_resolution,
          .detail = "no path with " + std::to_string(headings << (searches - 1)) + " headings"},
         context.statistics);
+  }
+
+  /// Checks options and query as `search` does.
+  template <ClearanceSpace S>
+  Expected<void, Failure> check(const S& space, const Query& query) const {
+    if (auto valid = check_options(); !valid) return valid;
+    return check_ends(space, query);
   }
 
  private:
