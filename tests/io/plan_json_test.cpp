@@ -93,6 +93,26 @@ TEST_CASE("arcs and clothoids are written with all their numbers") {
   CHECK(c["length"] == 0.6);
 }
 
+TEST_CASE("the path of a vehicle has the vehicle, its gears, its headings and its cusps") {
+  Plan plan;
+  plan.curve.push_back(Segment{{1, 2}, {4, 2}});
+  plan.curve.push_back(Segment{{4, 2}, {3, 2}});
+  CHECK_FALSE(Json::parse(result_to_json({}, plan).dump()).contains("vehicle"));
+  CHECK_FALSE(Json::parse(result_to_json({}, plan).dump()).contains("gears"));
+  plan.gears = {Gear::forward, Gear::reverse};
+  plan.route.vehicle = Vehicle{1.0 / 3, true, {{{0.1, -0.2}, 0.7}, {{1, 0}, 0.5}}};
+  const Json json = Json::parse(result_to_json({}, plan).dump());
+  CHECK(json["gears"] == Json{"forward", "reverse"});
+  CHECK(json["start_heading"] == 0.0);
+  CHECK(json["goal_heading"] == 0.0);
+  CHECK(json["cusps"] == Json::array({3.0}));
+  const Json& vehicle = json["vehicle"];
+  CHECK(vehicle["min_turning_radius"].get<double>() == 1.0 / 3);
+  CHECK(vehicle["reverse"] == true);
+  CHECK(vehicle["footprint"] == Json::array({Json{{"offset", {0.1, -0.2}}, {"radius", 0.7}},
+                                             Json{{"offset", {1.0, 0.0}}, {"radius", 0.5}}}));
+}
+
 TEST_CASE("the optimum and the mean clearance are written where they are known") {
   Plan plan;
   plan.metrics.length = 15;

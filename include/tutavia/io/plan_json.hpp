@@ -110,6 +110,16 @@ inline ResultJson result_head(const ResultHeader& header, std::string_view statu
           {"safety_radius", header.safety_radius}};
 }
 
+inline ResultJson to_json(const Vehicle& vehicle) {
+  ResultJson discs = ResultJson::array();
+  for (const FootprintDisc& disc : vehicle.footprint) {
+    discs.push_back({{"offset", to_json(disc.offset)}, {"radius", disc.radius}});
+  }
+  return {{"min_turning_radius", vehicle.min_turning_radius},
+          {"reverse", vehicle.reverse},
+          {"footprint", std::move(discs)}};
+}
+
 /// What a vehicle's path has besides its curve: the gear of every piece, the headings at both ends
 /// [rad] and the arc lengths at which the gear changes [m].
 inline void add_driving(ResultJson& json, const VehiclePath& path) {
@@ -126,7 +136,9 @@ inline void add_driving(ResultJson& json, const VehiclePath& path) {
 /// One entry of `results` for a plan. Numbers read back to the same double; infinite ones (the
 /// clearance without obstacles, the curvature of a cusp, an option without a bound) become null, as
 /// do options that are not given. `optimum` is the length of the shortest path, if known (see
-/// find_optimum). `found_by` is there where several searches took part.
+/// find_optimum). `found_by` is there where several searches took part. The path of a vehicle has
+/// the vehicle, the gear of every piece of `curve`, the headings at both ends [rad] and the arc
+/// lengths of its cusps, where the gear changes [m].
 inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const Plan& plan,
                                              std::optional<double> optimum = std::nullopt) {
   auto json = detail::result_head(header, "success");
@@ -137,6 +149,7 @@ inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const P
   json["route"] = detail::to_json(plan.route.curve);
   json["curve"] = detail::to_json(plan.curve);
   if (!plan.gears.empty()) detail::add_driving(json, {plan.curve, plan.gears});
+  if (plan.route.vehicle) json["vehicle"] = detail::to_json(*plan.route.vehicle);
   json["metrics"] = {{"length", m.length},
                      {"turning_points", m.turning_points},
                      {"turning_angle", m.turning_angle},
