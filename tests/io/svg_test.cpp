@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -264,6 +265,77 @@ TEST_CASE("a profile of curves without length and of an invalid workspace holds 
       CHECK(count(svg, ">clearance [m]<") == 1);
     }
   }
+}
+
+/// A vehicle of two discs that drives ahead, back on an arc, and ahead again.
+Plan shunting_plan() {
+  VehiclePath path;
+  path.push_back(Segment{{1, 3}, {4, 3}}, Gear::forward);
+  path.push_back(Arc::around({4, 4}, 1, -std::numbers::pi / 2, -1), Gear::reverse);
+  path.push_back(Segment{path.curve.end(), path.curve.end() + Point(0.5, -0.5)}, Gear::forward);
+  Plan plan;
+  plan.curve = plan.route.curve = path.curve;
+  plan.gears = plan.route.gears = path.gears;
+  plan.route.vehicle = Vehicle{1, true, {{{0, 0}, 0.25}, {{0.25, 0}, 0.25}}};
+  return plan;
+}
+
+TEST_CASE("a vehicle's path is dashed in reverse, with footprints on the way and headings") {
+  const Plan plan = shunting_plan();
+  const std::string svg = to_svg(room, std::span(&plan, 1));
+  const std::string curve = "stroke=\"#0072b2\" stroke-width=\"3\"";
+  CHECK(count(svg, curve + " stroke-dasharray=\"8 5\"") == 1 + 1);  // and in the legend
+  CHECK(count(svg, curve + "/>") == 2 + 1);
+  CHECK(count(svg, "M116.00 116.00L416.00 116.00\" fill=\"none\" stroke-linejoin=\"round\" " +
+                       curve + "/>") == 1);
+  CHECK(count(svg, "stroke-width=\"0.9\" stroke-opacity=\"0.45\"") == 10 + 1);
+  CHECK(svg.find("stroke-opacity=\"0.45\"") < svg.find(curve));  // below the path
+  CHECK(count(svg, "M116.00 116.00L142.00 116.00") == 2);        // the arrow and its border
+  for (const std::string part : {">in reverse<", ">footprint<", ">heading<"}) {
+    INFO(part);
+    CHECK(count(svg, part) == 1);
+  }
+  CHECK(count(svg, "nan") == 0);
+  const std::string bare = to_svg(room, std::span(&plan, 1), {.footprints = false});
+  CHECK(count(bare, ">footprint<") + count(bare, "stroke-opacity=\"0.45\"") == 0);
+  CHECK(count(bare, ">heading<") == 1);
+
+  // Without gears it is a curve as any other; without a radius there is no footprint to draw.
+  Plan point = plan;
+  point.gears.clear();
+  const std::string plain = to_svg(room, std::span(&point, 1));
+  CHECK(count(plain, "reverse") + count(plain, "footprint") + count(plain, "heading") == 0);
+  point = plan;
+  point.route.vehicle = Vehicle::point(1);
+  CHECK(count(to_svg(room, std::span(&point, 1)), "footprint") == 0);
+}
+
+TEST_CASE("arrows of headings turn with the picture's y axis") {
+  Plan plan = shunting_plan();
+  plan.curve = Curve::polyline({{4, 1}, {4, 3}});
+  plan.gears = {Gear::forward};
+  CHECK(count(to_svg(room, std::span(&plan, 1)), "M416.00 316.00L416.00 290.00M") == 2);
+  CHECK(count(to_svg(room, std::span(&plan, 1), {.y_down = true}),
+              "M416.00 116.00L416.00 142.00M") == 2);
+}
+
+TEST_CASE("the profile of a vehicle has its footprint's clearance, and no corners at cusps") {
+  const Workspace wall{.bounds = {{0, 0}, {8, 4}},
+                       .safety_radius = 0.25,
+                       .obstacles = {Polygon{{{0, 3.5}, {8, 3.5}, {8, 4}, {0, 4}}}}};
+  Plan plan;
+  plan.curve.push_back(Segment{{1, 1.5}, {4, 1.5}});
+  plan.curve.push_back(Segment{{4, 1.5}, {2, 1.5}});
+  plan.gears = {Gear::forward, Gear::reverse};
+  plan.route.vehicle = Vehicle{1, true, {{{0.5, 0.25}, 0.75}, {{0, 0}, 0.1}}};
+  const std::string svg = to_svg(wall, std::span(&plan, 1), {.profile = true});
+  CHECK(count(svg, "corners") == 0);
+  // Two plots, and no spike: 2 - 0.25 - 0.75 = 1 m of clearance throughout, the largest in the
+  // plot.
+  const std::string thin = "stroke=\"#0072b2\" stroke-width=\"1.6\"";
+  CHECK(count(svg, thin) == 2);
+  CHECK(count(svg, ">1<") == 1);
+  CHECK(count(svg, ">2<") == 1);  // of the axis of arc length alone
 }
 
 TEST_CASE("goals without a plan are marked, and notes stand below the legend") {

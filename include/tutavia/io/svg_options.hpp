@@ -21,6 +21,7 @@ struct SvgOptions {
   std::vector<std::string> labels{};  ///< names of the plans in the legend: "astar, delta"
   bool zones = true;                  ///< whether to draw the safety zones
   bool risk_zones = true;             ///< whether to draw the risk zones that routes name, in grey
+  bool footprints = true;             ///< whether to outline vehicles along their paths
   bool profile = false;  ///< whether to plot clearance and curvature along the plans, below the map
   std::vector<Point> visited{};  ///< nodes that a search expanded, light blue, below all else
   /// The side of cells, counted from the lower corner of the bounds [m]. Visited nodes at centres

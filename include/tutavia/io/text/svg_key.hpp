@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "tutavia/geometry/vehicle_path.hpp"
 #include "tutavia/io/svg_options.hpp"
+#include "tutavia/io/text/svg_footprint.hpp"
 #include "tutavia/io/text/svg_legend.hpp"
 #include "tutavia/io/text/svg_style.hpp"
 #include "tutavia/io/text/svg_text.hpp"
@@ -35,6 +37,12 @@ inline std::vector<double> risk_widths(std::span<const Plan> plans, const SvgOpt
 
 inline bool shows_rectangles(const SvgOptions& options) {
   return !options.rectangles.empty() || !options.goal_rectangles.empty();
+}
+
+/// Whether the footprint of a plan's vehicle is drawn: a point has no outline.
+inline bool shows_footprint(const Plan& plan, const SvgOptions& options) {
+  return options.footprints && !plan.gears.empty() && plan.route.vehicle &&
+         !outline_of(plan.route.vehicle->footprint).empty();
 }
 
 /// The legend: the curves, a row each, then what else the picture shows, and the notes.
@@ -118,6 +126,7 @@ class SvgKey {
   void marks() {
     if (!plans_.empty()) {
       if (!has_names()) legend_.line("proved curve", SvgStyle::curve(SvgStyle::colour(0)));
+      vehicles();
       legend_.line("route", SvgStyle::route);
       if (shows_rectangles(options_)) {
         legend_.entry("path node", [&](const Point& p) { svg_.circle(p, 4, SvgStyle::path_node); });
@@ -132,6 +141,26 @@ class SvgKey {
     }
     if (!options_.critical_corners.empty()) {
       legend_.entry("critical corner", [&](const Point& p) { cross_symbol(svg_, p); });
+    }
+  }
+
+  void vehicles() {
+    const std::string colour = SvgStyle::colour(0);
+    const auto is_any = [&](const auto& predicate) {
+      return std::any_of(plans_.begin(), plans_.end(), predicate);
+    };
+    if (is_any([](const Plan& plan) {
+          return std::find(plan.gears.begin(), plan.gears.end(), Gear::reverse) != plan.gears.end();
+        })) {
+      legend_.line("in reverse", SvgStyle::curve(colour).append(SvgStyle::reverse));
+    }
+    if (is_any([&](const Plan& plan) { return shows_footprint(plan, options_); })) {
+      legend_.area("footprint", "fill=\"none\" rx=\"6\" " + SvgStyle::footprint(colour));
+    }
+    if (is_any([](const Plan& plan) { return !plan.gears.empty(); })) {
+      legend_.entry("heading", [&](const Point& p) {
+        arrow_symbol(svg_, {p.x() - 13, p.y()}, {1, 0}, SvgStyle::start_arrow);
+      });
     }
   }
 

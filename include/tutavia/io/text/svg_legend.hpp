@@ -29,6 +29,19 @@ inline void cross_symbol(SvgWriter& svg, const Point& p) {
   svg.stroke(std::string("M") + SvgWriter::pair({p.x() - 5, p.y() - 5}) + "l10 10m0 -10l-10 10",
              "stroke=\"#c1121f\" stroke-width=\"2.4\"");
 }
+/// An arrow from the pixel on. `direction`: a unit vector.
+inline void arrow_symbol(SvgWriter& svg, const Point& p, const Point& direction,
+                         std::string_view colour) {
+  const Point left(-direction.y(), direction.x()), tip = p + 26 * direction;
+  const Point neck = tip - 8 * direction;
+  std::string d("M");
+  d.append(SvgWriter::pair(p)).append("L").append(SvgWriter::pair(tip));
+  d.append("M").append(SvgWriter::pair(neck + 5 * left)).append("L").append(SvgWriter::pair(tip));
+  d.append("L").append(SvgWriter::pair(neck - 5 * left));
+  svg.stroke(d, "stroke=\"#ffffff\" stroke-width=\"5\" stroke-opacity=\"0.8\"");
+  std::string style("stroke=\"");
+  svg.stroke(d, style.append(colour).append("\" stroke-width=\"2.4\""));
+}
 /// A short line.
 inline void line_symbol(SvgWriter& svg, const Point& p, std::string_view style) {
   svg.stroke(std::string("M") + SvgWriter::pair({p.x() - 13, p.y()}) + "h26", style);

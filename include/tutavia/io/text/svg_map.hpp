@@ -2,16 +2,20 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/geometry/vehicle_path.hpp"
+#include "tutavia/io/text/svg_footprint.hpp"
 #include "tutavia/io/text/svg_paths.hpp"
 #include "tutavia/io/text/svg_style.hpp"
 #include "tutavia/io/text/svg_visited.hpp"
 #include "tutavia/io/text/svg_writer.hpp"
+#include "tutavia/plan/vehicle.hpp"
 #include "tutavia/world/workspace.hpp"
 
 /// \file
@@ -105,6 +109,35 @@ class SvgMap {
     const std::string d = paths_.of_curve(curve);
     svg_.stroke(d, "stroke=\"#ffffff\" stroke-width=\"6\" stroke-opacity=\"0.7\"");
     svg_.stroke(d, SvgStyle::curve(colour));
+  }
+  /// The path of a vehicle, dashed where it drives in reverse.
+  void drive(const VehiclePath& path, const std::string& colour) {
+    svg_.stroke(paths_.of_curve(path.curve),
+                "stroke=\"#ffffff\" stroke-width=\"6\" stroke-opacity=\"0.7\"");
+    for (std::size_t i = 0, end = 0; i < path.gears.size(); i = end) {
+      Curve part;
+      for (end = i; end < path.gears.size() && path.gears[end] == path.gears[i]; ++end) {
+        part.push_back(path.curve.pieces()[end]);
+      }
+      std::string style = SvgStyle::curve(colour);
+      if (path.gears[i] == Gear::reverse) style.append(SvgStyle::reverse);
+      svg_.stroke(paths_.of_curve(part), style);
+    }
+  }
+  /// Outlines of a vehicle's footprint along its path, at least as far apart as the footprint
+  /// reaches if they are few enough.
+  void footprints(const Vehicle& vehicle, const VehiclePath& path, const std::string& colour) {
+    const std::vector<Arc> outline = outline_of(vehicle.footprint);
+    if (outline.empty() || path.empty()) return;
+    for (const Pose& pose : poses_along(path, vehicle.reach())) {
+      std::string d;
+      for (const Arc& arc : outline) {
+        Curve part;
+        part.push_back(placed(arc, pose));
+        d += paths_.of_curve(part);
+      }
+      svg_.stroke(d, SvgStyle::footprint(colour));
+    }
   }
 
  private:

@@ -27,6 +27,10 @@ struct SvgPaths {
             offset.y() + (y_down ? p.y() - bounds.min.y() : bounds.max.y() - p.y()) * scale};
   }
   std::string at(const Point& p) const { return SvgWriter::pair(pixel(p)); }
+  /// A heading [rad] as a unit vector in pixels.
+  Point direction(double heading) const {
+    return {std::cos(heading), y_down ? std::sin(heading) : -std::sin(heading)};
+  }
 
   std::string of_ring(const Ring& ring) const {
     std::string d;

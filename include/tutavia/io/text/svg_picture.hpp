@@ -76,14 +76,27 @@ class SvgPicture {
     for (const Curve& path : options_.tree_paths) {
       map.polyline(path, SvgStyle::tree_path, 2.2, "fill=\"#000000\"");
     }
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
+      if (!shows_footprint(plans_[i], options_)) continue;
+      map.footprints(*plans_[i].route.vehicle, {plans_[i].curve, plans_[i].gears},
+                     SvgStyle::colour(i));
+    }
     for (const Plan& plan : plans_) map.polyline(plan.route.curve, SvgStyle::route, 1.6, route_dot);
-    for (std::size_t i = 0; i < plans_.size(); ++i) map.curve(plans_[i].curve, SvgStyle::colour(i));
+    for (std::size_t i = 0; i < plans_.size(); ++i) curve(map, plans_[i], SvgStyle::colour(i));
     if (shows_rectangles(options_)) {
       for (const Plan& plan : plans_) map.dots(waypoints(plan.route.curve), 4, SvgStyle::path_node);
     }
     for (const Point& corner : options_.critical_corners) cross_symbol(svg_, paths.pixel(corner));
     map.end();
     ends(paths);
+  }
+
+  static void curve(SvgMap& map, const Plan& plan, const std::string& colour) {
+    if (plan.gears.empty()) {
+      map.curve(plan.curve, colour);
+    } else {
+      map.drive({plan.curve, plan.gears}, colour);
+    }
   }
 
   /// Rectangles from cell to cell cover these cells.
@@ -113,9 +126,18 @@ class SvgPicture {
     for (std::size_t i = 0; i < plans_.size(); ++i) {
       const Curve& curve = plans_[i].curve;
       if (curve.empty()) continue;
+      if (!plans_[i].gears.empty()) arrows(paths, {curve, plans_[i].gears}, SvgStyle::colour(i));
       start_symbol(svg_, paths.pixel(curve.start()));
       goal_symbol(svg_, paths.pixel(curve.end()), SvgStyle::colour(i));
     }
+  }
+
+  /// The headings at both ends.
+  void arrows(const SvgPaths& paths, const VehiclePath& path, const std::string& colour) {
+    const Pose start = path.start(), goal = path.end();
+    arrow_symbol(svg_, paths.pixel(start.position), paths.direction(start.heading),
+                 SvgStyle::start_arrow);
+    arrow_symbol(svg_, paths.pixel(goal.position), paths.direction(goal.heading), colour);
   }
 
   const Workspace& workspace_;

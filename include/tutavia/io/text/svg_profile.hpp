@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tutavia/geometry/vehicle_path.hpp"
+#include "tutavia/io/text/svg_footprint.hpp"
 #include "tutavia/io/text/svg_plot.hpp"
 #include "tutavia/io/text/svg_samples.hpp"
 #include "tutavia/io/text/svg_style.hpp"
@@ -23,7 +25,8 @@
 
 namespace tutavia::detail {
 
-/// Two plots, one below the other: clearance and curvature of every plan.
+/// Two plots, one below the other: clearance and curvature of every plan. The clearance of a
+/// vehicle is that of its footprint.
 class SvgProfile {
  public:
   static constexpr double height = 340;  ///< of both plots with their texts, in pixels
@@ -37,7 +40,10 @@ class SvgProfile {
       return space ? space->clearance(p) : std::numeric_limits<double>::quiet_NaN();
     };
     for (const Plan& plan : plans) {
-      curves_.push_back(sample_curve(plan.curve, samples, clearance_at));
+      curves_.push_back(sample_curve(plan.curve, samples, clearance_at, plan.gears));
+      if (!plan.gears.empty() && plan.route.vehicle) {
+        measure_footprint(*plan.route.vehicle, {plan.curve, plan.gears}, clearance_at);
+      }
       longest_ = std::max(longest_, plan.curve.length());
     }
     if (longest_ == 0) longest_ = 1;
@@ -49,6 +55,20 @@ class SvgProfile {
   }
 
  private:
+  /// Makes the clearances of the last curve those of the vehicle's discs.
+  template <class ClearanceAt>
+  void measure_footprint(const Vehicle& vehicle, const VehiclePath& path,
+                         const ClearanceAt& clearance_at) {
+    for (CurveSamples::Sample& sample : curves_.back().samples) {
+      const Pose pose = path.at(sample.s);
+      sample.clearance = std::numeric_limits<double>::infinity();
+      for (const FootprintDisc& disc : vehicle.footprint) {
+        const Point centre = placed(disc.offset, pose);
+        sample.clearance = std::fmin(sample.clearance, clearance_at(centre) - disc.radius);
+      }
+    }
+  }
+
   static constexpr std::size_t samples = 600;
   static constexpr double left = 44, top = 34, plot_height = 110, gap = 50;
 

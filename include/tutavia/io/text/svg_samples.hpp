@@ -11,6 +11,7 @@
 
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/geometry/segment.hpp"
+#include "tutavia/geometry/vehicle_path.hpp"
 
 /// \file
 /// CurveSamples: clearance and curvature along a curve, for plots.
@@ -29,13 +30,15 @@ struct CurveSamples {
 };
 
 /// Samples a curve at `count` steps and at least eight to each bent piece. The largest curvature of
-/// a piece is always among the samples.
+/// a piece is always among the samples. A change of gear (`gears`, one per piece) is no corner.
 template <class ClearanceAt>
-CurveSamples sample_curve(const Curve& curve, std::size_t count, const ClearanceAt& clearance_at) {
+CurveSamples sample_curve(const Curve& curve, std::size_t count, const ClearanceAt& clearance_at,
+                          std::span<const Gear> gears = {}) {
   constexpr double least_turn = 0.5 * std::numbers::pi / 180;
   CurveSamples result;
   Point before = Point::Zero();  // direction at the end of the piece before
   for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
+    if (i > 0 && !gears.empty() && gears[i] != gears[i - 1]) before = Point::Zero();
     curve.pieces()[i].visit([&](const auto& piece) {
       const Point direction = piece.start_direction();
       if (is_zero(direction)) return;  // a single point

@@ -31,6 +31,8 @@ struct SvgStyle {
       "stroke=\"#d4a000\" stroke-width=\"3\" stroke-linecap=\"round\"";
   static constexpr std::string_view backward_passage =
       "stroke=\"#1b7837\" stroke-width=\"3\" stroke-linecap=\"round\"";
+  static constexpr std::string_view reverse = " stroke-dasharray=\"8 5\"";  ///< besides a curve's
+  static constexpr std::string_view start_arrow = "#222b33";                ///< a colour
   static constexpr std::string_view outline = "stroke=\"#7a8794\" stroke-width=\"0.8\"";
   static constexpr std::string_view axis = "stroke=\"#33414e\" stroke-width=\"1\"";
   static constexpr std::string_view grid_line = "stroke=\"#e3e7eb\" stroke-width=\"1\"";
@@ -48,6 +50,9 @@ struct SvgStyle {
                                                   "#56b4e9", "#a07400", "#8b1a1a", "#5e3c99",
                                                   "#7fbf2f", "#e31a8c", "#333333", "#00b3b3"};
     return colours[i % colours.size()];
+  }
+  static std::string footprint(const std::string& colour) {
+    return "stroke=\"" + colour + "\" stroke-width=\"0.9\" stroke-opacity=\"0.45\"";
   }
   static std::string curve(const std::string& colour, const std::string& width = "3") {
     return "stroke=\"" + colour + "\" stroke-width=\"" + width + "\"";
