@@ -34,7 +34,9 @@ class MapFrame {
 
   /// Converts a point to the frame of the grid. `to_map` gives back exactly this point.
   Point to_grid(const Point& in_map);
-  /// Converts to the frame of the map. Coordinates are rounded.
+  /// Converts a heading to the frame of the grid [rad].
+  double heading_to_grid(double in_map) const { return in_map - yaw(); }
+  /// Converts to the frame of the map. Coordinates are rounded. Gears stay as they are.
   Point to_map(const Point& in_grid) const;
   Curve to_map(const Curve& in_grid) const;
   Expected<Plan, Failure> to_map(Expected<Plan, Failure> plan) const;

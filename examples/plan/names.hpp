@@ -20,13 +20,16 @@ struct Names {
 
 /// Searches and smoothers with their options. A smoother of several stages is a pipeline.
 struct Choices {
-  std::vector<tutavia::PipelineText> searches;
-  std::vector<tutavia::PipelineText> smoothers;
+  bool for_vehicle = false;
+  std::vector<tutavia::PipelineText> searches{};
+  std::vector<tutavia::PipelineText> smoothers{};
 };
 
-/// What --search and --smoother say; names and options are not checked. Throws a UsageError for
-/// what is no list of algorithms, and for more than one search or smoother with --compare.
-Choices parse_choices(const Arguments& args);
+/// What --search and --smoother say, and their defaults. They are for a vehicle if the command line
+/// describes one, or if a search is one of those for vehicles. Names and options are not checked.
+/// Throws a UsageError for what is no list of algorithms, and for more than one search or smoother
+/// with --compare.
+Choices parse_choices(const Arguments& args, const Names& for_vehicles);
 
 /// An algorithm with default options.
 tutavia::PipelineText default_choice(const std::string& name);

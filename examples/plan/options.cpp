@@ -13,20 +13,49 @@ namespace plan_program {
 namespace {
 
 void define_ends(CLI::App& app, Arguments& args) {
-  app.add_option("--start", args.start, "Start, as X,Y in metres");
-  app.add_option("--goal", args.goals, "Goal, as X,Y; may be repeated. Default: every goal given")
+  app.add_option(
+      "--start", args.start,
+      "Start, as X,Y in metres, or X,Y,DEG with a heading in degrees, measured from the x "
+      "axis of the map's frame towards its y axis (of .map files: downwards)");
+  app.add_option("--goal", args.goals,
+                 "Goal, as X,Y or X,Y,DEG; may be repeated. Default: every goal given")
       ->allow_extra_args(false);
+}
+
+void define_vehicle(CLI::App& app, Arguments& args) {
+  app.add_option_function<std::string>(
+      "--turning-radius",
+      [&args](const std::string& text) {
+        args.vehicle.turning_radius = parse_turning_radius(text);
+      },
+      "Plan for a vehicle with this least turning radius in metres; 0: it turns on the spot. A "
+      "heading, --reverse and --footprint mean a vehicle, too; its default radius is 1");
+  app.add_flag("--reverse", args.vehicle.reverse, "The vehicle may drive backwards");
+  app.add_option_function<std::string>(
+      "--footprint",
+      [&args](const std::string& text) { args.vehicle.footprint = parse_footprint(text); },
+      "Discs of the vehicle, which keep the safety radius, in metres: disc:R, car:L,W,WB (length, "
+      "width, wheelbase; the middle of the rear axle is planned) or 'discs:X,Y,R;X,Y,R;...' (X "
+      "ahead, Y to the left). Default: a point");
+}
+
+/// Takes the headings out of --start and --goal.
+void split_headings(Arguments& args) {
+  VehicleArguments& vehicle = args.vehicle;
+  if (!args.start.empty()) vehicle.start_heading = split_heading("--start", args.start);
+  for (std::string& goal : args.goals) {
+    vehicle.goal_headings.push_back(split_heading("--goal", goal));
+  }
 }
 
 void define_planning_options(CLI::App& app, Arguments& args) {
   app.add_option("--search", args.search,
                  "Search, or a comma list of them, with options as NAME:OPTION=VALUE,... "
-                 "(any_angle: on grids)")
-      ->capture_default_str();
+                 "(any_angle: on grids). Default: auto; for a vehicle hybrid_astar");
   app.add_option("--smoother", args.smoother,
                  "Smoother, or a comma list of them, with options as for --search; A+B is a "
-                 "pipeline: B smooths the result of A")
-      ->capture_default_str();
+                 "pipeline: B smooths the result of A. Default: delta; for a vehicle "
+                 "vehicle_shortcut");
   app.add_option("--seed", args.seed, "Seed for searches that draw random numbers");
   app.add_option("--time-limit", args.time_limit, "Seconds per query");
 }
@@ -37,7 +66,7 @@ void define_output_options(CLI::App& app, Arguments& args) {
   app.add_option_function<std::string>(
       "--show", [&args](const std::string& text) { args.show = parse_shown_parts(text); },
       "What --svg draws besides map, routes and curves: a comma list of visited, tree, zones, "
-      "passages, profile. Default: tree,zones,passages");
+      "passages, profile, footprint. Default: tree,zones,passages,footprint");
   app.add_option("--trace", args.trace, "Write the events of the searches, one line of JSON each");
   app.add_flag("--compare", args.compare,
                "All searches with the smoother, and all smoothers with the search");
@@ -51,7 +80,7 @@ void check_shown_parts(const Arguments& args) {
   const bool shows_search = args.show->visited || args.show->tree || args.show->passages;
   if (args.compare && shows_search) {
     throw UsageError{
-        "--compare draws curves of many searches; --show takes zones and profile there"};
+        "--compare draws curves of many searches; --show takes zones, profile and footprint there"};
   }
 }
 
@@ -70,8 +99,10 @@ std::optional<std::string> help_topic(int argc, const char* const* argv) {
 }  // namespace
 
 std::optional<Arguments> parse_command_line(int argc, const char* const* argv) {
-  CLI::App app{"Plans safe, smooth, short paths for a disc-shaped robot; every path is proved.",
-               "tutavia-plan"};
+  CLI::App app{
+      "Plans safe, smooth, short paths for a disc-shaped robot or a vehicle; every path is "
+      "proved.",
+      "tutavia-plan"};
   app.footer("--help-NAME prints the options of a search or a smoother: --help-rrt_star");
   Arguments args;
   if (const auto topic = help_topic(argc, argv)) {
@@ -80,10 +111,13 @@ std::optional<Arguments> parse_command_line(int argc, const char* const* argv) {
   }
   define_input_options(app, args);
   define_ends(app, args);
+  define_vehicle(app, args);
   define_planning_options(app, args);
   define_output_options(app, args);
   if (!parse(app, argc, argv)) return std::nullopt;
   check_shown_parts(args);
+  split_headings(args);
+  check_vehicle(args.vehicle);
   unknown_cost(args);
   if (argc == 1) args.svg = "maze.svg";
   return args;

@@ -9,6 +9,7 @@
 #include "shown_parts.hpp"
 #include "tutavia/grid/movement.hpp"
 #include "tutavia/space/lattice_space.hpp"
+#include "vehicle_arguments.hpp"
 
 /// \file
 /// The command line of tutavia-plan.
@@ -32,9 +33,10 @@ struct Arguments {
   std::optional<double> resolution{};
   tutavia::MovementRule movement = tutavia::MovementRule::no_cut;
   tutavia::EdgeRule edges = tutavia::EdgeRule::uniform;
-  std::optional<int> buffer{};  ///< [cells]
-  std::string search = "auto";
-  std::string smoother = "delta";
+  std::optional<int> buffer{};            ///< [cells]
+  std::optional<std::string> search{};    ///< default: auto, or hybrid_astar for a vehicle
+  std::optional<std::string> smoother{};  ///< default: delta, or vehicle_shortcut for a vehicle
+  VehicleArguments vehicle{};
   std::uint64_t seed = 0;
   std::optional<double> time_limit{};
   std::string json{};

@@ -110,6 +110,7 @@ void draw(const Arguments& args, const Task& task, std::vector<Group> groups) {
   Workspace workspace = task.scene.workspace;
   SvgOptions options{.zones = shown.zones,
                      .risk_zones = shown.zones && (args.show || !args.compare),
+                     .footprints = shown.footprint && (args.show || !args.compare),
                      .profile = shown.profile,
                      .title = task.scene.name,
                      .y_down = task.y_down};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plan_goals.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "tutavia/core/budget.hpp"
@@ -9,7 +10,8 @@ namespace plan_program {
 
 namespace {
 
-/// Adds the figures that take longer than most queries.
+/// Adds the figures that take longer than most queries. They are those of a point, so vehicles have
+/// none.
 void add_figures(const PlanningSpace& space, const Query& query, Result& result) {
   if (!result.plan) return;
   PathMetrics& metrics = result.plan->metrics;
@@ -51,19 +53,29 @@ Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
   const bool is_drawn = !args.svg.empty() && !args.compare;
   const ShownParts shown = args.show.value_or(default_parts());
   const bool is_traced = trace.takes(search.text);
-  const bool has_all_figures = args.compare || !args.json.empty();
-  const ChosenPlanner planner = make_planner(task.space, task.costs, search, smoother);
+  const ChosenPlanner planner =
+      make_planner(task.space, task.costs, search, smoother, args.vehicle);
+  const bool is_vehicle = planner.algorithms.for_vehicle;
+  const bool has_all_figures = !is_vehicle && (args.compare || !args.json.empty());
   MapFrame frame = task.frame;
   const Point start = frame.to_grid(task.scene.start);
+  const auto heading_in_grid = [&](const std::optional<double>& in_map) {
+    return in_map ? std::optional(frame.heading_to_grid(*in_map)) : std::nullopt;
+  };
   Group group;
   for (const Point& goal : task.scene.goals) {
     SearchRecord record{.keeps_nodes = is_traced || (is_drawn && shown.visited)};
-    Query query{.start = start, .goal = frame.to_grid(goal), .seed = args.seed};
+    Query query{.start = start,
+                .goal = frame.to_grid(goal),
+                .start_heading = heading_in_grid(args.vehicle.start_heading),
+                .goal_heading = heading_in_grid(args.vehicle.goal_heading(group.size())),
+                .seed = args.seed};
     if (args.time_limit) query.budget = Budget::for_seconds(*args.time_limit);
     group.push_back({search.text, smoother.text, planner.algorithms, goal,
                      planner.plan(query, is_drawn || is_traced ? &record : nullptr)});
     Result& result = group.back();
-    if (!result.plan && !args.compare) add_remedy(task.space, query, result.plan.error());
+    if (!result.plan && !args.compare && !is_vehicle)
+      add_remedy(task.space, query, result.plan.error());
     if (has_all_figures) add_figures(task.space, query, result);
     if (result.plan) result.route_in_grid = result.plan->route.curve;
     result.plan = frame.to_map(std::move(result.plan));

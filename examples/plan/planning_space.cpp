@@ -6,15 +6,18 @@
 #include <memory>
 #include <optional>
 #include <string_view>
-#include <type_traits>
 #include <utility>
+#include <variant>
+#include <vector>
 
+#include "chosen_algorithms.hpp"
 #include "registry.hpp"
 #include "tutavia/core/parts/number_text.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/optimum.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
+#include "tutavia/smooth/no_smoothing.hpp"
 #include "usage_error.hpp"
 
 namespace plan_program {
@@ -30,52 +33,6 @@ Names names_of(const Algorithms<S>& algorithms) {
   for (const auto& search : algorithms.searches) names.searches.emplace_back(search.name);
   for (const auto& smoother : algorithms.smoothers) names.smoothers.push_back(smoother.name);
   return names;
-}
-
-/// A message on an algorithm that could not be made: "--search rrt_star: unknown option ...".
-UsageError unusable(const std::string& option, const std::string& name, const Failure& failure) {
-  const bool names_algorithm = failure.detail.rfind(name + ":", 0) == 0;
-  return {option + (names_algorithm ? " " : ": ") + failure.detail};
-}
-
-/// Lets an algorithm to which the user gave options answer `invalid_option` by a UsageError.
-template <class Any>
-Any refusing(Any algorithm, const std::string& option, const AlgorithmText& text) {
-  if (text.options.empty()) return algorithm;
-  algorithm.run = [run = algorithm.run, where = option + " " + text.text](auto&&... arguments) {
-    auto result = run(arguments...);
-    if (!result && result.error().code == PlanError::invalid_option) {
-      throw UsageError{where + ": " + result.error().detail};
-    }
-    return result;
-  };
-  return algorithm;
-}
-
-template <class S>
-AnySearch<S> make_search_on(const Algorithms<S>& all, const PipelineText& search,
-                            [[maybe_unused]] const std::shared_ptr<const CellCosts>& costs = {}) {
-  const AlgorithmText& text = search.stages.front();
-  auto made = [&] {
-    if constexpr (std::is_same_v<S, CellSpace>) {
-      if (costs != nullptr) return make_search_with_costs(text.name, text.options, costs);
-    }
-    return all.make_search(text.name, text.options);
-  }();
-  if (!made) throw unusable("--search", text.name, made.error());
-  return refusing(std::move(*made), "--search", text);
-}
-
-template <class S>
-AnySmoother<S> make_smoother_on(const Algorithms<S>& all, const PipelineText& smoother) {
-  std::optional<AnySmoother<S>> pipeline;
-  for (const AlgorithmText& text : smoother.stages) {
-    auto made = all.make_smoother(text.name, text.options);
-    if (!made) throw unusable("--smoother", text.name, made.error());
-    AnySmoother<S> stage = refusing(std::move(*made), "--smoother", text);
-    pipeline = pipeline ? detail::chain(*pipeline, stage) : std::move(stage);
-  }
-  return *pipeline;
 }
 
 bool has(const std::vector<std::string>& names, const std::string& name) {
@@ -94,9 +51,33 @@ void refuse_elsewhere(const std::string& option, const PipelineText& pipeline,
   }
 }
 
+/// Algorithms with headings are for vehicles, and no others are.
+void check_headings(const Choices& choices) {
+  const Names vehicle = vehicle_names();
+  if (choices.for_vehicle) {
+    for (const PipelineText& search : choices.searches) {
+      if (has(vehicle.searches, search.name())) continue;
+      throw UsageError{"--search: " + search.name() + " plans no headings; for a vehicle give " +
+                       vehicle.searches.front()};
+    }
+  }
+  for (const PipelineText& smoother : choices.smoothers) {
+    for (const AlgorithmText& stage : smoother.stages) {
+      const bool keeps_headings = has(vehicle.smoothers, stage.name);
+      if (choices.for_vehicle && !keeps_headings) {
+        throw UsageError{"--smoother: " + stage.name + " keeps no headings; for a vehicle give " +
+                         vehicle.smoothers.front() + " or " + vehicle.smoothers.back()};
+      }
+      if (choices.for_vehicle || !keeps_headings || stage.name == NoSmoothing::name) continue;
+      throw UsageError{"--smoother: " + stage.name + " is for vehicles; give --search " +
+                       vehicle.searches.front()};
+    }
+  }
+}
+
 template <class S>
-void check_on(const Algorithms<S>& all, const Choices& choices) {
-  for (const PipelineText& search : choices.searches) make_search_on(all, search);
+void check_on(const Algorithms<S>& all, const Choices& choices, const VehicleArguments& vehicle) {
+  for (const PipelineText& search : choices.searches) make_search_on(all, search, vehicle);
   for (const PipelineText& smoother : choices.smoothers) make_smoother_on(all, smoother);
 }
 
@@ -109,7 +90,15 @@ Names known_names(const PlanningSpace& space) {
   return std::visit([](const auto& known) { return names_of(algorithms_on(known)); }, space);
 }
 
-void check_choices(const Choices& choices, bool on_grid_map) {
+Names vehicle_names() {
+  const Algorithms<LatticeSpace>& all = lattice_algorithms();
+  Names names{.searches = {}, .smoothers = {std::string(NoSmoothing::name)}};
+  for (const auto& search : all.vehicle_searches) names.searches.emplace_back(search.name);
+  for (const auto& smoother : all.vehicle_smoothers) names.smoothers.push_back(smoother.name);
+  return names;
+}
+
+void check_choices(const Choices& choices, const VehicleArguments& vehicle, bool on_grid_map) {
   const Names lattice = lattice_names(), cell = cell_names();
   const Names &here = on_grid_map ? cell : lattice, &there = on_grid_map ? lattice : cell;
   for (const PipelineText& search : choices.searches) {
@@ -119,22 +108,24 @@ void check_choices(const Choices& choices, bool on_grid_map) {
     refuse_elsewhere("--smoother", smoother, here.smoothers, there.smoothers, on_grid_map);
   }
   if (on_grid_map) {
-    check_on(cell_algorithms(), choices);
+    check_on(cell_algorithms(), choices, vehicle);
   } else {
-    check_on(lattice_algorithms(), choices);
+    check_on(lattice_algorithms(), choices, vehicle);
   }
+  check_headings(choices);
 }
 
 ChosenPlanner make_planner(const PlanningSpace& any_space,
                            const std::shared_ptr<const CellCosts>& costs,
-                           const PipelineText& search, const PipelineText& smoother) {
+                           const PipelineText& search, const PipelineText& smoother,
+                           const VehicleArguments& vehicle) {
   return std::visit(
       [&]<class S>(const S& space) -> ChosenPlanner {
         const Algorithms<S>& all = algorithms_on(space);
-        AnySearch<S> any_search = make_search_on(all, search, costs);
+        AnySearch<S> any_search = make_search_on(all, search, vehicle, costs);
         AnySmoother<S> any_smoother = make_smoother_on(all, smoother);
         UsedAlgorithms used{std::string(any_search.name), any_smoother.name, any_search.options,
-                            any_smoother.options};
+                            any_smoother.options, static_cast<bool>(any_search.for_vehicle)};
         // std::function copies its target, but scratch memory is not copyable.
         const auto planner = std::make_shared<Planner<AnySearch<S>, AnySmoother<S>>>(
             std::move(any_search), std::move(any_smoother));
@@ -198,16 +189,12 @@ double taut_length_of(const PlanningSpace& any_space, const Curve& route) {
 
 std::vector<Point> critical_corners_of(const PlanningSpace& any_space, const Curve& route,
                                        const OptionSettings& delta) {
-  const auto number = [&](std::string_view name) {
-    const auto has_name = [&](const OptionSetting& setting) { return setting.name == name; };
-    return std::get<double>(std::find_if(delta.begin(), delta.end(), has_name)->value);
-  };
   std::vector<Point> positions;
   std::visit(
       [&](const auto& space) {
-        for (const Corner& corner :
-             detail::critical_corners(space, waypoints(route), number("corner_threshold"),
-                                      number("min_exterior_angle"))) {
+        for (const Corner& corner : detail::critical_corners(
+                 space, waypoints(route), value_of<double>(delta, "corner_threshold"),
+                 value_of<double>(delta, "min_exterior_angle"))) {
           positions.push_back(corner.position);
         }
       },

@@ -15,6 +15,7 @@
 #include "tutavia/search/search_record.hpp"
 #include "tutavia/space/cell_space.hpp"
 #include "tutavia/space/lattice_space.hpp"
+#include "vehicle_arguments.hpp"
 
 /// \file
 /// PlanningSpace: a common interface to both kinds of space.
@@ -33,8 +34,12 @@ Names cell_names();
 /// The names for the kind of a space.
 Names known_names(const PlanningSpace& space);
 
-/// Throws a UsageError for algorithms or options that are not known on workspaces, or on grid maps.
-void check_choices(const Choices& choices, bool on_grid_map);
+/// Every search for vehicles, and the smoothers for its routes, the best one last.
+Names vehicle_names();
+
+/// Throws a UsageError for algorithms or options that are not known on workspaces, or on grid maps;
+/// for those that keep no headings if a vehicle is planned for; and else for those of vehicles.
+void check_choices(const Choices& choices, const VehicleArguments& vehicle, bool on_grid_map);
 
 /// Plans one query. The record may be null.
 using PlanQuery = std::function<Expected<Plan, Failure>(const Query&, SearchRecord*)>;
@@ -46,12 +51,13 @@ struct ChosenPlanner {
 };
 
 /// A planner with its own scratch memory, for cells with these costs (null: they cost the same;
-/// \pre null, or cells and a search that `takes_costs`). It keeps a reference to the space. Throws
-/// a UsageError for unknown names and options; so does `plan` where an algorithm with options given
-/// by the user answers `invalid_option`.
+/// \pre null, or cells and a search that `takes_costs`), and for this vehicle if the search plans
+/// headings. It keeps a reference to the space. Throws a UsageError for unknown names and options;
+/// so does `plan` where an algorithm with options given by the user answers `invalid_option`.
 ChosenPlanner make_planner(const PlanningSpace& space,
                            const std::shared_ptr<const CellCosts>& costs,
-                           const PipelineText& search, const PipelineText& smoother);
+                           const PipelineText& search, const PipelineText& smoother,
+                           const VehicleArguments& vehicle);
 
 /// The mean clearance of a curve over its length [m].
 double mean_clearance_of(const PlanningSpace& space, const Curve& curve);

@@ -29,6 +29,8 @@ struct Algorithms {
 
   std::vector<tutavia::AnySearch<S>> searches;
   std::vector<tutavia::AnySmoother<S>> smoothers;
+  std::vector<tutavia::AnySearch<S>> vehicle_searches;     ///< not among the searches
+  std::vector<tutavia::AnySmoother<S>> vehicle_smoothers;  ///< beside `none`
   Make<tutavia::AnySearch<S>> make_search;
   Make<tutavia::AnySmoother<S>> make_smoother;
 };

@@ -23,6 +23,7 @@ struct UsedAlgorithms {
   std::string smoother;
   OptionSettings search_options{};
   std::vector<OptionSettings> smoother_options{};  ///< of each stage of a pipeline
+  bool for_vehicle = false;                        ///< whether the search plans headings
 };
 
 /// The result for one goal, with all data for tables, files and pictures; in the map's frame.

@@ -27,7 +27,8 @@ namespace {
 
 void add_taut_lengths(const PlanningSpace& space, Group& group) {
   for (Result& result : group) {
-    if (result.plan) result.taut_length = taut_length_of(space, result.route_in_grid);
+    if (!result.plan || result.algorithms.for_vehicle) continue;
+    result.taut_length = taut_length_of(space, result.route_in_grid);
   }
 }
 
@@ -43,11 +44,12 @@ std::vector<PipelineText> rivals(const std::vector<std::string>& names,
 }
 
 /// Runs all searches with the chosen smoother, then all smoothers with the chosen search, which
-/// finds the same routes each time. A chosen pipeline and chosen options take part.
+/// finds the same routes each time. A chosen pipeline and chosen options take part. For a vehicle
+/// it is all that plans headings.
 std::vector<Group> compare(const Task& task, const Arguments& args, const Choices& chosen,
                            TraceFile& trace) {
   const PipelineText &search = chosen.searches.front(), &smoother = chosen.smoothers.front();
-  const Names all = known_names(task.space);
+  const Names all = chosen.for_vehicle ? vehicle_names() : known_names(task.space);
   std::vector<Group> groups;
   for (const PipelineText& other : rivals(all.searches, search)) {
     groups.push_back(plan_goals(task, args, trace, other, smoother));
@@ -106,12 +108,12 @@ bool is_complete(const std::vector<Group>& groups) {
 
 int run(const Arguments& args) {
   if (args.list) {
-    print_names(lattice_names(), cell_names());
+    print_names(lattice_names(), cell_names(), vehicle_names());
     return 0;
   }
   // Unknown names and options are rejected before any file is loaded.
-  const Choices chosen = parse_choices(args);
-  check_choices(chosen, !args.grid.empty());
+  const Choices chosen = parse_choices(args, vehicle_names());
+  check_choices(chosen, args.vehicle, !args.grid.empty());
   check_costs(args, chosen);
   const Task task = load_task(args);
   if (args.prints_tables()) print_task(args, task);

@@ -14,11 +14,10 @@ namespace plan_program {
 
 ShownParts parse_shown_parts(const std::string& text) {
   using Part = std::pair<const char*, bool ShownParts::*>;
-  constexpr std::array<Part, 5> parts{Part{"visited", &ShownParts::visited},
-                                      {"tree", &ShownParts::tree},
-                                      {"zones", &ShownParts::zones},
-                                      {"passages", &ShownParts::passages},
-                                      {"profile", &ShownParts::profile}};
+  constexpr std::array<Part, 6> parts{
+      Part{"visited", &ShownParts::visited}, {"tree", &ShownParts::tree},
+      {"zones", &ShownParts::zones},         {"passages", &ShownParts::passages},
+      {"profile", &ShownParts::profile},     {"footprint", &ShownParts::footprint}};
   ShownParts shown;
   for (const std::string& name : split(text, ',')) {
     const auto* const part = std::find_if(parts.begin(), parts.end(),
@@ -32,8 +31,9 @@ ShownParts parse_shown_parts(const std::string& text) {
     for (const Part& known : parts) names.emplace_back(known.first);
     const auto nearest = tutavia::nearest_name(name, names);
     std::string message = "--show: unknown part \"" + name + "\"; ";
-    throw UsageError{message + (nearest ? "did you mean " + *nearest + "?"
-                                        : "expected visited, tree, zones, passages or profile")};
+    throw UsageError{message +
+                     (nearest ? "did you mean " + *nearest + "?"
+                              : "expected visited, tree, zones, passages, profile or footprint")};
   }
   return shown;
 }

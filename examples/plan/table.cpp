@@ -54,6 +54,7 @@ double milliseconds(const Statistics& stats) {
 
 /// Sums, largest and least figures over the goals that have a plan.
 struct Summary {
+  bool for_vehicle = false;
   std::size_t planned = 0, goals = 0;
   double length = 0, turning_angle = 0, max_curvature = 0, max_joint_deflection = 0;
   double min_clearance = std::numeric_limits<double>::infinity();
@@ -62,6 +63,7 @@ struct Summary {
   double optimum = 0;         ///< sum over the plans with a known optimum
   double travel_s = 0;        ///< with default SpeedLimits; NaN if no speed can follow a path
   std::size_t turning_points = 0, evaluations = 0, fell_back = 0, with_optimum = 0;
+  std::size_t cusps = 0;  ///< changes of gear
   Statistics stats{};
 
   std::string share_planned() const {
@@ -73,8 +75,16 @@ struct Summary {
     if (planned == 0 || with_optimum < planned) return "-";
     return to_text(optimum > 0 ? length / optimum : 1, 4);
   }
-  double over_taut() const { return length == taut_length ? 1 : length / taut_length; }
+  std::string over_taut() const {
+    if (std::isnan(taut_length) && for_vehicle) return "-";
+    return to_text(length == taut_length ? 1 : length / taut_length, 4);
+  }
+  std::string mean() const { return for_vehicle ? "-" : to_text(mean_clearance, 4); }
 };
+
+std::size_t cusps_of(const Plan& plan) {
+  return VehiclePath{plan.curve, plan.gears}.cusps().size();
+}
 
 void add(const Plan& plan, Summary& sum) {
   const PathMetrics& m = plan.metrics;
@@ -82,6 +92,7 @@ void add(const Plan& plan, Summary& sum) {
   sum.length += m.length;
   sum.turning_angle += m.turning_angle;
   sum.turning_points += m.turning_points;
+  sum.cusps += cusps_of(plan);
   sum.max_curvature = std::max(sum.max_curvature, m.max_curvature);
   sum.max_joint_deflection = std::max(sum.max_joint_deflection, m.max_joint_deflection);
   sum.min_clearance = std::min(sum.min_clearance, m.min_clearance);
@@ -96,8 +107,10 @@ void add(const Plan& plan, Summary& sum) {
   sum.stats.certify_us += plan.stats.certify_us;
 }
 
+bool is_for_vehicle(const Group& group) { return group.front().algorithms.for_vehicle; }
+
 Summary summary_of(const Group& group) {
-  Summary sum{.goals = group.size()};
+  Summary sum{.for_vehicle = is_for_vehicle(group), .goals = group.size()};
   for (const Result& result : group) {
     if (!result.plan) continue;
     add(*result.plan, sum);
@@ -129,14 +142,18 @@ std::string remarks_on(const Plan& plan) {
   return remarks;
 }
 
+/// The end of the head of a table.
+const char* cusp_head(const Group& group) { return is_for_vehicle(group) ? "  cusps" : ""; }
+
 void print_plan(const std::string& goal, const Plan& plan) {
-  const PathMetrics &m = plan.metrics, before = measure(plan.route.curve);
-  std::printf("%-16s %10.4f %9s %6zu %9s %9.2f %9s %10.4f  %-8s %9.3f%s\n", goal.c_str(), m.length,
+  const PathMetrics &m = plan.metrics, before = measure(plan.route.curve, plan.route.gears);
+  std::printf("%-16s %10.4f %9s %6zu %9s %9.2f %9s %10.4f  %-8s %9.3f", goal.c_str(), m.length,
               change(before.length, m.length).c_str(), m.turning_points,
               change(before.turning_points, m.turning_points).c_str(), degrees(m.turning_angle),
               change(before.turning_angle, m.turning_angle).c_str(), m.min_clearance,
-              std::string(to_string(plan.certificate.status)).c_str(), milliseconds(plan.stats),
-              remarks_on(plan).c_str());
+              std::string(to_string(plan.certificate.status)).c_str(), milliseconds(plan.stats));
+  if (!plan.gears.empty()) std::printf(" %6zu", cusps_of(plan));
+  std::printf("%s\n", remarks_on(plan).c_str());
 }
 
 void print_grid(const Task& task, const CellSpace& space) {
@@ -175,9 +192,9 @@ void print_names_of(const std::vector<std::string>& names) {
   for (const std::string& name : names) std::cout << ' ' << name;
 }
 
-/// Prints the names for both kinds of space, then those for one kind alone.
+/// Prints the names for both kinds of space, those for one kind alone, and those for vehicles.
 void print_list(const char* kind, const std::vector<std::string>& lattice,
-                const std::vector<std::string>& cell) {
+                const std::vector<std::string>& cell, const std::vector<std::string>& vehicle) {
   const auto lattice_only = names_without(lattice, cell);
   std::cout << kind << ':';
   print_names_of(names_without(lattice, lattice_only));
@@ -185,14 +202,16 @@ void print_list(const char* kind, const std::vector<std::string>& lattice,
   print_names_of(lattice_only);
   std::cout << "\n  on grid maps alone:";
   print_names_of(names_without(cell, lattice));
+  std::cout << "\n  for vehicles:";
+  print_names_of(vehicle);
   std::cout << '\n';
 }
 
 }  // namespace
 
-void print_names(const Names& lattice, const Names& cell) {
-  print_list("search", lattice.searches, cell.searches);
-  print_list("smoother", lattice.smoothers, cell.smoothers);
+void print_names(const Names& lattice, const Names& cell, const Names& vehicle) {
+  print_list("search", lattice.searches, cell.searches, vehicle.searches);
+  print_list("smoother", lattice.smoothers, cell.smoothers, vehicle.smoothers);
   std::cout << "pipeline: A+B smooths with A, then with B\n"
                "options: NAME:OPTION=VALUE,OPTION=VALUE; --help-NAME prints those of NAME\n";
 }
@@ -208,8 +227,9 @@ void print_task(const Arguments& args, const Task& task) {
 void print_plans(const Group& group) {
   std::printf("\nsearch %s, smoother %s; changes against the route of the search\n",
               group.front().search.c_str(), group.front().smoother.c_str());
-  std::printf("%-16s %10s %9s %6s %9s %9s %9s %10s  %-8s %9s\n", "goal", "length m", "change",
-              "turns", "change", "angle deg", "change", "clear >= m", "proof", "ms");
+  std::printf("%-16s %10s %9s %6s %9s %9s %9s %10s  %-8s %9s%s\n", "goal", "length m", "change",
+              "turns", "change", "angle deg", "change", "clear >= m", "proof", "ms",
+              cusp_head(group));
   for (const Result& result : group) {
     const std::string goal = detail::to_text(result.goal);
     if (result.plan) {
@@ -224,16 +244,18 @@ void print_searches(std::span<const Group> groups) {
   std::printf("\nall searches, smoother %s; sums over %zu goals\n",
               groups.front().front().smoother.c_str(), groups.front().size());
   const int width = width_of(groups, &Result::search, 20);
-  std::printf("%-*s %9s %10s %6s %9s %10s %10s %10s %9s %10s\n", width, "search", "planned",
+  std::printf("%-*s %9s %10s %6s %9s %10s %10s %10s %9s %10s%s\n", width, "search", "planned",
               "length m", "turns", "angle deg", "max curv.", "clear >= m", "expanded", "ms",
-              "/ optimum");
+              "/ optimum", cusp_head(groups.front()));
   for (const Group& group : groups) {
     const Summary s = summary_of(group);
-    std::printf("%-*s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f %10s\n", width,
+    std::printf("%-*s %9s %10.4f %6zu %9.2f %10.4f %10.4f %10llu %9.3f %10s", width,
                 group.front().search.c_str(), s.share_planned().c_str(), s.length, s.turning_points,
                 degrees(s.turning_angle), s.max_curvature, s.min_clearance,
                 static_cast<unsigned long long>(s.stats.expanded), milliseconds(s.stats),
                 s.over_optimum().c_str());
+    if (s.for_vehicle) std::printf(" %6zu", s.cusps);
+    std::printf("\n");
   }
 }
 
@@ -241,17 +263,19 @@ void print_smoothers(std::span<const Group> groups) {
   std::printf("\nall smoothers, search %s, on the same routes; sums over %zu goals\n",
               groups.front().front().search.c_str(), groups.front().size());
   const int width = width_of(groups, &Result::smoother, 22);
-  std::printf("%-*s %7s %10s %8s %13s %9s %9s %10s %12s %8s %10s %8s %10s\n", width, "smoother",
+  std::printf("%-*s %7s %10s %8s %13s %9s %9s %10s %12s %8s %10s %8s %10s%s\n", width, "smoother",
               "planned", "length m", "/ taut", "max curv. 1/m", "angle deg", "joint deg",
-              "clear >= m", "clear mean m", "travel s", "us", "proofs", "/ optimum");
+              "clear >= m", "clear mean m", "travel s", "us", "proofs", "/ optimum",
+              cusp_head(groups.front()));
   for (const Group& group : groups) {
     const Summary s = summary_of(group);
     std::printf("%-*s %7s", width, group.front().smoother.c_str(), s.share_planned().c_str());
     if (s.planned > 0) {
-      std::printf(" %10.4f %8.4f %13.4f %9.2f %9.2f %10.4f %12.4f %8s %10.1f %8zu %10s", s.length,
-                  s.over_taut(), s.max_curvature, degrees(s.turning_angle),
-                  degrees(s.max_joint_deflection), s.min_clearance, s.mean_clearance,
+      std::printf(" %10.4f %8s %13.4f %9.2f %9.2f %10.4f %12s %8s %10.1f %8zu %10s", s.length,
+                  s.over_taut().c_str(), s.max_curvature, degrees(s.turning_angle),
+                  degrees(s.max_joint_deflection), s.min_clearance, s.mean().c_str(),
                   s.travel().c_str(), s.stats.smooth_us, s.evaluations, s.over_optimum().c_str());
+      if (s.for_vehicle) std::printf(" %6zu", s.cusps);
     }
     if (s.fell_back > 0) std::printf("  (%zu fell back to the route)", s.fell_back);
     std::printf("\n");

@@ -140,6 +140,34 @@ TEST_CASE("a turned ROS map has the plans of the map that is not turned, in its 
   }
 }
 
+TEST_CASE("headings and gears of a vehicle on a turned ROS map are those of its frame") {
+  const RosFolder folder;
+  folder.write("room.pgm", room_image());
+  folder.write("flat.yaml", yaml_of("room.pgm", "[-21.2, -14.9, 0]"));
+  folder.write("turned.yaml", yaml_of("room.pgm", "[-21.2, -14.9, 1.5707963267948966]"));
+  const double yaw = std::atan(1) * 2;
+  const RosMap flat = frame_with({-21.2, -14.9}, 0), turned = frame_with({-21.2, -14.9}, yaw);
+  const auto turn = [&](const Point& p) { return to_map_frame(turned, to_grid_frame(flat, p)); };
+  const auto results = [&](const char* map, const Point& start, const char* heading,
+                           const Point& goal, const char* goal_heading) {
+    return folder.results_of(std::string("--grid ") + map + " --start=" + text_of(start) + "," +
+                             heading + " --goal=" + text_of(goal) + "," + goal_heading +
+                             " --reverse --turning-radius 0.2 --footprint disc:0.04")["results"][0];
+  };
+  const Point start{-20.93, -14.71}, goal{-20.05, -13.8};
+  const json a = results("flat.yaml", start, "45", goal, "180");
+  const json b = results("turned.yaml", turn(start), "135", turn(goal), "-90");
+  check_turned(a, b, yaw, turn);
+  CHECK(a["gears"] == b["gears"]);
+  CHECK(a["vehicle"] == b["vehicle"]);
+  for (const char* heading : {"start_heading", "goal_heading"}) {
+    const double angle = b[heading].get<double>() - a[heading].get<double>();
+    CHECK(std::remainder(angle - yaw, 8 * std::atan(1)) == Approx(0).margin(1e-9));
+  }
+  CHECK(b["start_heading"].get<double>() == Approx(3 * std::atan(1)));
+  CHECK(b["goal_heading"].get<double>() == Approx(-2 * std::atan(1)));
+}
+
 TEST_CASE("tables, pictures, traces and failures of a turned ROS map are in its frame") {
   const RosFolder folder;
   folder.write("room.pgm", room_image());

@@ -334,7 +334,7 @@ TEST_CASE("bad usage and bad input give exit code 2 and one line that says what 
            Case{"--goal 1", "--goal: expected X,Y"},
            Case{"--goal 1,nan", "--goal: expected X,Y"},
            Case{"--goal inf,1", "--goal: expected X,Y"},
-           Case{"--start 1,2,3", "--start: expected X,Y"},
+           Case{"--start 1,2,3,4", "--start: expected X,Y"},
            Case{"--map castle", "unknown map \"castle\""},
            Case{"--search dstar", "unknown name \"dstar\""},
            Case{"--smoother delta,silk", "unknown name \"silk\""},
@@ -690,17 +690,17 @@ TEST_CASE("the option --help-NAME prints the options of any algorithm") {
   std::istringstream list(folder.run("--list").out);
   std::string line, name;
   std::size_t names = 0;
-  for (int row = 0; row < 6 && std::getline(list, line); ++row) {
+  for (int row = 0; row < 8 && std::getline(list, line); ++row) {
     std::istringstream words(line.substr(line.find(':') + 1));
     while (words >> name) {
       const Outcome help = folder.run("--help-" + name);
       INFO(name);
       CHECK(help.code == 0);
-      CHECK(help.out.find(name + " (--" + (row < 3 ? "search" : "smoother") + "): ") == 0);
+      CHECK(help.out.find(name + " (--" + (row < 4 ? "search" : "smoother") + "): ") == 0);
       ++names;
     }
   }
-  CHECK(names == 36);
+  CHECK(names == 36 + 3);  // of which `none` stands twice
   const Outcome tree = folder.run("--help-rrt_star");
   CHECK(lines(tree.out) == 8);  // the name, how options are given, the head and five options
   CHECK(contains(tree.out, "iterations "));
@@ -832,12 +832,15 @@ TEST_CASE("a --show that no picture can obey is refused") {
   };
   refused("--svg p.svg --show visted", "--show: unknown part \"visted\"; did you mean visited?");
   refused("--svg p.svg --show tree,rainbow",
-          "--show: unknown part \"rainbow\"; expected visited, tree, zones, passages or profile");
-  refused("--svg p.svg --show ''",
-          "--show: unknown part \"\"; expected visited, tree, zones, passages or profile");
+          "--show: unknown part \"rainbow\"; expected visited, tree, zones, passages, profile or "
+          "footprint");
+  refused(
+      "--svg p.svg --show ''",
+      "--show: unknown part \"\"; expected visited, tree, zones, passages, profile or footprint");
   refused("--show zones", "--show is for a picture; give --svg FILE");
-  refused("--compare --svg p.svg --show visited",
-          "--compare draws curves of many searches; --show takes zones and profile there");
+  refused(
+      "--compare --svg p.svg --show visited",
+      "--compare draws curves of many searches; --show takes zones, profile and footprint there");
 }
 
 TEST_CASE("the legend calls curves as the user wrote the algorithms, with goal and length") {
