@@ -127,6 +127,58 @@ TEST_CASE("an algorithm made with options plans as its own value with these memb
   CHECK(chained.options[1][0].name == "trim");
 }
 
+TEST_CASE("searches and smoothers for vehicles are made by name, and stand in lists of their own") {
+  const auto has_name = [](const auto& all, std::string_view name) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& any) { return any.name == name; });
+  };
+  CHECK(has_name(vehicle_searches<LatticeSpace>(), "hybrid_astar"));
+  CHECK(has_name(vehicle_smoothers<LatticeSpace>(), "vehicle_shortcut"));
+  CHECK_FALSE(has_name(all_searches<LatticeSpace>(), "hybrid_astar"));
+  CHECK_FALSE(has_name(all_smoothers<LatticeSpace>(), "vehicle_shortcut"));
+  check_made_like(vehicle_searches<LatticeSpace>(), &make_search<LatticeSpace>);
+  check_made_like(vehicle_smoothers<LatticeSpace>(), &make_smoother<LatticeSpace>);
+  for (const auto& search : vehicle_searches<LatticeSpace>()) CHECK(search.for_vehicle);
+  for (const auto& search : all_searches<LatticeSpace>()) CHECK_FALSE(search.for_vehicle);
+  for (const auto& smoother : vehicle_smoothers<LatticeSpace>()) CHECK(smoother.run_for_vehicle);
+}
+
+TEST_CASE("a search for vehicles takes its vehicle as options, or another one with a footprint") {
+  const Scene scene = maps::array();
+  const auto space = LatticeSpace::build(scene.workspace, {.resolution = 0.5}).value();
+  const Query query{.start = scene.start, .goal = scene.goals[0], .start_heading = 0.3};
+  const std::vector<OptionText> texts{
+      {"vehicle.min_turning_radius", "0.7"}, {"vehicle.reverse", "false"}, {"cusp_cost", "2.5"}};
+  const auto search = make_search<LatticeSpace>("hybrid_astar", texts).value();
+  REQUIRE(search.options.size() >= 3);
+  CHECK(search.options[0].name == "vehicle.min_turning_radius");
+  CHECK(std::get<double>(search.options[0].value) == 0.7);
+  CHECK(std::get<bool>(search.options[1].value) == false);
+  const auto smoother = make_smoother<LatticeSpace>("vehicle_shortcut").value();
+  Planner by_name{search, smoother};
+  const auto plan = by_name.plan(space, query).value();
+  Planner by_type{HybridAStar{.vehicle = Vehicle::point(0.7), .cusp_cost = 2.5}, VehicleShortcut{}};
+  const auto same = by_type.plan(space, query).value();
+  CHECK(test::same_curve(plan.curve, same.curve));
+  CHECK(plan.gears == same.gears);
+  REQUIRE(plan.route.vehicle);
+  CHECK(plan.route.vehicle->min_turning_radius == 0.7);
+
+  const auto wide = search.for_vehicle(Vehicle::disc(0.2, 1.2, true));
+  CHECK(wide.name == "hybrid_astar");
+  Planner for_wide{wide, smoother};
+  const auto other = for_wide.plan(space, query).value();
+  REQUIRE(other.route.vehicle);
+  CHECK(other.route.vehicle->min_turning_radius == 1.2);
+  CHECK(other.route.vehicle->footprint.front().radius == 0.2);
+  CHECK(other.route.cost >= other.route.curve.length());
+
+  // Other smoothers keep no headings.
+  Planner refused{search, make_smoother<LatticeSpace>("delta").value()};
+  const auto none = refused.plan(space, query);
+  REQUIRE_FALSE(none);
+  CHECK(none.error().code == PlanError::invalid_option);
+}
+
 TEST_CASE("unknown names and options are refused, and values out of range by the search itself") {
   const auto unknown = make_search<LatticeSpace>("rrt_sta");
   REQUIRE_FALSE(unknown);
