@@ -14,6 +14,7 @@
 #include "support/random_tasks.hpp"
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
+#include "tutavia/geometry/reeds_shepp.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/clothoid_smoother.hpp"
@@ -350,6 +351,29 @@ TEST_CASE("with jerk, rolling in and out is kept, and no start that cannot be br
   CHECK(stops.at(once).speed == Approx(0).margin(1e-12));
   CHECK(stops.at(once).acceleration == Approx(0).margin(1e-9));
   CHECK(stops.at(once).position.isApprox(Point(2, 0)));
+}
+
+TEST_CASE("a vehicle stops where its gear changes, and nowhere else") {
+  const VehiclePath path = reeds_shepp_path({{0, 0}, 0}, {{1, 3}, 0.5}, 2);
+  std::vector<double> stops = path.cusps();
+  REQUIRE(stops.size() == 2);
+  stops.insert(stops.end(), {0, path.length()});
+  for (const double jerk : {std::numeric_limits<double>::infinity(), 2.0}) {
+    const auto profile = SpeedProfile::build(path.curve, {.max_jerk = jerk}).value();
+    std::vector<double> least(stops.size(), 1);
+    double between = 1;
+    for (const SpeedProfile::State& state : profile.sample(0.001)) {
+      double gap = path.length();
+      for (std::size_t i = 0; i < stops.size(); ++i) {
+        const double distance = std::abs(state.s - stops[i]);
+        gap = std::min(gap, distance);
+        if (distance < 0.01) least[i] = std::min(least[i], state.speed);
+      }
+      if (gap > 0.05) between = std::min(between, state.speed);
+    }
+    for (const double speed : least) CHECK(speed < 0.01);
+    CHECK(between > 0.05);
+  }
 }
 
 TEST_CASE("limits out of range are refused by name, and what cannot be followed") {
