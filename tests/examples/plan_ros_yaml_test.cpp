@@ -157,7 +157,13 @@ TEST_CASE("headings and gears of a vehicle on a turned ROS map are those of its 
   const Point start{-20.93, -14.71}, goal{-20.05, -13.8};
   const json a = results("flat.yaml", start, "45", goal, "180");
   const json b = results("turned.yaml", turn(start), "135", turn(goal), "-90");
-  check_turned(a, b, yaw, turn);
+  REQUIRE(a["curve"].size() == b["curve"].size());
+  for (std::size_t i = 0; i < a["curve"].size(); ++i) {
+    for (const std::size_t end : {0, 1}) {
+      const Point there = turn(point_of(a["curve"][i]["points"][end]));
+      CHECK(distance(there, point_of(b["curve"][i]["points"][end])) < 1e-9);
+    }
+  }
   CHECK(a["gears"] == b["gears"]);
   CHECK(a["vehicle"] == b["vehicle"]);
   for (const char* heading : {"start_heading", "goal_heading"}) {

@@ -36,7 +36,7 @@ struct VehicleFolder : tutavia::test::ProgramFolder {
   }
 };
 
-bool has_part(const std::string& text, const std::string& part) {
+bool shows(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -49,8 +49,8 @@ TEST_CASE("a car parks backwards into a bay, proved with its whole footprint") {
   const Outcome outcome = folder.run(parking + "--json r.json");
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
-  CHECK(has_part(outcome.out, "search hybrid_astar, smoother vehicle_shortcut;"));
-  CHECK(has_part(outcome.out, " ms  cusps\n"));
+  CHECK(shows(outcome.out, "search hybrid_astar, smoother vehicle_shortcut;"));
+  CHECK(shows(outcome.out, " ms  cusps\n"));
   const json result = json::parse(folder.read("r.json"))["results"][0];
   CHECK(result["status"] == "success");
   CHECK(result["search"] == "hybrid_astar");
@@ -160,35 +160,35 @@ TEST_CASE(
   const json results = json::parse(folder.read("r.json"))["results"];
   CHECK(results.size() == 2 + 2 * 2);  // two goals; one search, then two smoothers
   for (const json& result : results) CHECK(result["search"] == "hybrid_astar");
-  CHECK(has_part(vehicle.out, "\nhybrid_astar "));
-  CHECK(has_part(vehicle.out, "\nnone "));
-  CHECK(has_part(vehicle.out, "\nvehicle_shortcut "));
-  CHECK_FALSE(has_part(vehicle.out, "nan"));
-  CHECK_FALSE(has_part(vehicle.out, "\nastar "));
+  CHECK(shows(vehicle.out, "\nhybrid_astar "));
+  CHECK(shows(vehicle.out, "\nnone "));
+  CHECK(shows(vehicle.out, "\nvehicle_shortcut "));
+  CHECK_FALSE(shows(vehicle.out, "nan"));
+  CHECK_FALSE(shows(vehicle.out, "\nastar "));
   const Outcome options =
       folder.run("--workspace room.json --compare --search hybrid_astar:headings=16");
   CHECK(options.code == 0);
-  CHECK(has_part(options.out, "\nhybrid_astar:headings=16 "));
+  CHECK(shows(options.out, "\nhybrid_astar:headings=16 "));
 
   const Outcome point = folder.run("--workspace room.json --compare");
   CHECK(point.code == 0);
-  CHECK_FALSE(has_part(point.out, "hybrid_astar"));
-  CHECK_FALSE(has_part(point.out, "vehicle_shortcut"));
-  CHECK_FALSE(has_part(point.out, "cusps"));
+  CHECK_FALSE(shows(point.out, "hybrid_astar"));
+  CHECK_FALSE(shows(point.out, "vehicle_shortcut"));
+  CHECK_FALSE(shows(point.out, "cusps"));
 }
 
 TEST_CASE("a vehicle without a path gives exit code 1, and no advice for points") {
   const VehicleFolder folder;
-  const Outcome outcome = folder.run("--workspace room.json --start 2,2,0 --footprint disc:3");
+  const Outcome outcome = folder.run("--workspace room.json --start 2,2,0 --footprint disc:4");
   CHECK(outcome.code == 1);
-  CHECK(has_part(outcome.out, "start_blocked"));
+  CHECK(shows(outcome.out, "start_blocked"));
   folder.write("corner.json", R"({"bounds":[0,0,4,1],"safety_radius":0.1,"obstacles":[],
       "start":[1,0.5],"goals":[[3,0.5]]})");
   const Outcome narrow =
       folder.run("--workspace corner.json --start 1,0.5,0 --goal 3,0.5,180 --turning-radius 3");
   CHECK(narrow.code == 1);
-  CHECK(has_part(narrow.out, "unreachable"));
-  CHECK_FALSE(has_part(narrow.out, "--search auto"));
+  CHECK(shows(narrow.out, "unreachable"));
+  CHECK_FALSE(shows(narrow.out, "--search auto"));
 }
 
 TEST_CASE("a picture of a vehicle has its footprint, its headings and its gears in the legend") {
@@ -200,16 +200,16 @@ TEST_CASE("a picture of a vehicle has its footprint, its headings and its gears 
     return folder.read("p.svg");
   };
   const std::string car = picture(parking);
-  for (const char* part : {">in reverse<", ">footprint<", ">heading<"}) CHECK(has_part(car, part));
-  CHECK(has_part(picture(parking + "--show zones,footprint"), ">footprint<"));
+  for (const char* part : {">in reverse<", ">footprint<", ">heading<"}) CHECK(shows(car, part));
+  CHECK(shows(picture(parking + "--show zones,footprint"), ">footprint<"));
   const std::string bare = picture(parking + "--show zones");
-  CHECK_FALSE(has_part(bare, ">footprint<"));
-  CHECK(has_part(bare, ">heading<"));
-  CHECK(has_part(picture(parking + "--compare --show footprint"), ">footprint<"));
-  CHECK_FALSE(has_part(picture(parking + "--compare"), ">footprint<"));
+  CHECK_FALSE(shows(bare, ">footprint<"));
+  CHECK(shows(bare, ">heading<"));
+  CHECK(shows(picture(parking + "--compare --show footprint"), ">footprint<"));
+  CHECK_FALSE(shows(picture(parking + "--compare"), ">footprint<"));
   const std::string point = picture("--workspace room.json");
   for (const char* part : {">in reverse<", ">footprint<", ">heading<"}) {
-    CHECK_FALSE(has_part(point, part));
+    CHECK_FALSE(shows(point, part));
   }
 }
 
@@ -225,7 +225,7 @@ void check_refused(const std::vector<BadUsage>& all) {
     const Outcome outcome = folder.run("--workspace room.json " + bad.arguments);
     INFO(outcome.err);
     CHECK(outcome.code == 2);
-    CHECK(has_part(outcome.err, bad.expected));
+    CHECK(shows(outcome.err, bad.expected));
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     CHECK(folder.files() == files);
   }
