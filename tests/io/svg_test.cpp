@@ -288,7 +288,7 @@ TEST_CASE("a vehicle's path is dashed in reverse, with footprints on the way and
   CHECK(count(svg, curve + "/>") == 2 + 1);
   CHECK(count(svg, "M116.00 116.00L416.00 116.00\" fill=\"none\" stroke-linejoin=\"round\" " +
                        curve + "/>") == 1);
-  CHECK(count(svg, "stroke-width=\"0.9\" stroke-opacity=\"0.45\"") == 10 + 1);
+  CHECK(count(svg, "stroke-width=\"0.9\" stroke-opacity=\"0.45\"") == 11 + 1);
   CHECK(svg.find("stroke-opacity=\"0.45\"") < svg.find(curve));  // below the path
   CHECK(count(svg, "M116.00 116.00L142.00 116.00") == 2);        // the arrow and its border
   for (const std::string part : {">in reverse<", ">footprint<", ">heading<"}) {
@@ -312,7 +312,8 @@ TEST_CASE("a vehicle's path is dashed in reverse, with footprints on the way and
 
 TEST_CASE("arrows of headings turn with the picture's y axis") {
   Plan plan = shunting_plan();
-  plan.curve = Curve::polyline({{4, 1}, {4, 3}});
+  plan.curve = Curve{};
+  plan.curve.push_back(Segment{{4, 1}, {4, 3}});
   plan.gears = {Gear::forward};
   CHECK(count(to_svg(room, std::span(&plan, 1)), "M416.00 316.00L416.00 290.00M") == 2);
   CHECK(count(to_svg(room, std::span(&plan, 1), {.y_down = true}),
@@ -330,12 +331,14 @@ TEST_CASE("the profile of a vehicle has its footprint's clearance, and no corner
   plan.route.vehicle = Vehicle{1, true, {{{0.5, 0.25}, 0.75}, {{0, 0}, 0.1}}};
   const std::string svg = to_svg(wall, std::span(&plan, 1), {.profile = true});
   CHECK(count(svg, "corners") == 0);
-  // Two plots, and no spike: 2 - 0.25 - 0.75 = 1 m of clearance throughout, the largest in the
-  // plot.
-  const std::string thin = "stroke=\"#0072b2\" stroke-width=\"1.6\"";
-  CHECK(count(svg, thin) == 2);
-  CHECK(count(svg, ">1<") == 1);
-  CHECK(count(svg, ">2<") == 1);  // of the axis of arc length alone
+  // Two plots, and no spike.
+  CHECK(count(svg, "stroke=\"#0072b2\" stroke-width=\"1.6\"") == 2);
+  // 2 - 0.25 - 0.75 = 1 m throughout: the axis ends there, and that of the curvature at 1, too.
+  CHECK(count(svg, "text-anchor=\"end\">1<") == 2);
+  CHECK(count(svg, "text-anchor=\"end\">1.5<") == 0);
+  plan.gears.clear();
+  CHECK(count(to_svg(wall, std::span(&plan, 1), {.profile = true}), "text-anchor=\"end\">1.5<") ==
+        1);
 }
 
 TEST_CASE("goals without a plan are marked, and notes stand below the legend") {
