@@ -159,7 +159,7 @@ TEST_CASE("headings and gears of a vehicle on a turned ROS map are those of its 
   const json b = results("turned.yaml", turn(start), "135", turn(goal), "-90");
   REQUIRE(a["curve"].size() == b["curve"].size());
   for (std::size_t i = 0; i < a["curve"].size(); ++i) {
-    for (const std::size_t end : {0, 1}) {
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
       const Point there = turn(point_of(a["curve"][i]["points"][end]));
       CHECK(distance(there, point_of(b["curve"][i]["points"][end])) < 1e-9);
     }
