@@ -15,7 +15,7 @@ namespace {
 using tutavia::FootprintDisc;
 
 constexpr std::string_view disc_prefix = "disc:", car_prefix = "car:", discs_prefix = "discs:";
-constexpr double longest_car = 1000;  // [m]; its cover has thousands of discs
+constexpr double most_times = 100;  // one side of a car the other: its cover has many discs
 
 /// The numbers after a prefix, as many as asked for; none if the text is another one.
 std::vector<double> numbers_of(std::string_view text, std::size_t count) {
@@ -38,7 +38,8 @@ std::vector<FootprintDisc> parse_car(std::string_view text) {
   const auto numbers = numbers_of(text, 3);
   if (numbers.empty()) return {};
   const double length = numbers[0], width = numbers[1], wheelbase = numbers[2];
-  const bool is_size = 0 < length && length <= longest_car && 0 < width && width <= longest_car;
+  const double longer = std::fmax(length, width), shorter = std::fmin(length, width);
+  const bool is_size = 0 < shorter && longer <= most_times * shorter && std::isfinite(longer);
   if (!is_size || !(0 <= wheelbase && wheelbase <= length)) return {};
   return tutavia::Vehicle::car(length, width, wheelbase, 0).footprint;
 }
@@ -83,7 +84,7 @@ std::vector<FootprintDisc> parse_footprint(const std::string& text) {
   for (const auto& [prefix, parse, description] :
        {Form{disc_prefix, &parse_disc, "disc:R with R at least 0"},
         Form{car_prefix, &parse_car,
-             "car:L,W,WB with L and W above 0 and at most 1000, and WB from 0 to L"},
+             "car:L,W,WB with L and W above 0, neither 100 times the other, and WB from 0 to L"},
         Form{discs_prefix, &parse_discs, "discs:X,Y,R;X,Y,R;... with every R at least 0"}}) {
     if (text.rfind(prefix, 0) != 0) continue;
     auto discs = parse(std::string_view(text).substr(prefix.size()));

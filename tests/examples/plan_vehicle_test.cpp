@@ -250,7 +250,8 @@ TEST_CASE("a wrong radius or heading gives one line with the option and what it 
 
 TEST_CASE("a wrong footprint gives one line with the form that it should have") {
   const std::string car =
-      "--footprint: expected car:L,W,WB with L and W above 0 and at most 1000, and WB from 0 to L";
+      "--footprint: expected car:L,W,WB with L and W above 0, neither 100 times the other, and WB "
+      "from 0 to L";
   const std::string any = "--footprint: expected disc:R, car:L,W,WB or discs:X,Y,R;X,Y,R;...";
   const std::string disc = "--footprint: expected disc:R with R at least 0, in metres, got ";
   const std::string discs = "--footprint: expected discs:X,Y,R;X,Y,R;... with every R at least 0";

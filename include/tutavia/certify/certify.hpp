@@ -41,7 +41,7 @@ class ClearanceInterval {
 
   /// `error`: how far the piece may lie from the path that is meant [m].
   template <class P>
-  void add(const P& piece, std::size_t index, double error) {
+  void add(const P& piece, std::size_t index, double error = 0) {
     const double magnitude =
         std::fmax(space_.largest_coordinate(), piece.box().largest_coordinate());
     error_bound_ =

@@ -43,10 +43,11 @@ struct Vehicle {
     return {min_turning_radius, reverse, {FootprintDisc{Point::Zero(), radius}}};
   }
   /// A rectangle, covered by few discs that stay within `margin` of it. The rear axle lies as far
-  /// from the back as the front axle from the front. \pre 0 <= wheelbase <= length, 0 < width,
-  /// 0 < margin
+  /// from the back as the front axle from the front. Margin 0 stands for an eighteenth of the
+  /// shorter side: 0.1 m for a car.
+  /// \pre 0 <= wheelbase <= length, 0 < width, 0 <= margin, and no side is 10^4 margins long
   static Vehicle car(double length, double width, double wheelbase, double min_turning_radius,
-                     bool reverse = true, double margin = 0.1);
+                     bool reverse = true, double margin = 0);
 
   /// Whether the vehicle is one disc around the reference point.
   bool is_centred_disc() const {
@@ -126,7 +127,9 @@ inline std::vector<FootprintDisc> rectangle_cover(double length, double width, d
 
 inline Vehicle Vehicle::car(double length, double width, double wheelbase,
                             double min_turning_radius, bool reverse, double margin) {
+  if (margin == 0) margin = std::fmin(length, width) / 18;
   TUTAVIA_ASSERT(0 < width && 0 <= wheelbase && wheelbase <= length && 0 < margin);
+  TUTAVIA_ASSERT(std::fmax(length, width) <= 1e4 * margin);
   const bool is_long = length >= width;
   Vehicle vehicle{
       min_turning_radius, reverse,
