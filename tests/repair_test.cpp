@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tutavia/repair.hpp"
+#include "tutavia/search/hybrid_astar.hpp"
+#include "tutavia/smooth/vehicle_shortcut.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -316,6 +319,37 @@ TEST_CASE("another query than the plan's is planned anew") {
   const Repaired repaired = repair(planner, space, plan, found, other).value();
   CHECK(repaired.kind == RepairKind::planned_anew);
   CHECK(repaired.plan.curve.start() == other.start);
+}
+
+TEST_CASE("the plan of a vehicle is kept if it holds and has the headings, else planned anew") {
+  const Workspace open{.bounds = {{0, 0}, {20, 20}}, .safety_radius = 0.2};
+  Workspace changed = open;
+  changed.obstacles.emplace_back(Disc{{3, 17}, 1});
+  const auto before = InflatedSpace::build(open).value();
+  const auto after = InflatedSpace::build(changed).value();
+  const Box change{{2, 16}, {4, 18}};
+  Planner planner{HybridAStar{.vehicle = Vehicle::car(2, 1, 1.2, 2)}, VehicleShortcut{}};
+  Query query{.start = {4, 4}, .goal = {16, 6}, .start_heading = 0, .goal_heading = 0};
+  const auto plan = planner.plan(before, query);
+  REQUIRE(plan);
+  const auto revalidation = revalidate(after, *plan, std::span(&change, 1));
+  CHECK(revalidation.certificate.status == ProofStatus::proved);
+  CHECK(repair(planner, after, *plan, revalidation, query)->kind == RepairKind::kept);
+  query.goal_heading = 1;
+  const auto turned = repair(planner, after, *plan, revalidation, query);
+  REQUIRE(turned);
+  CHECK(turned->kind == RepairKind::planned_anew);
+  CHECK(VehiclePath{turned->plan.curve, turned->plan.gears}.end().heading == Approx(1));
+
+  // The reference point passes the post, but the car would hit it.
+  Workspace narrow = open;
+  narrow.obstacles.emplace_back(
+      Disc{plan->curve.point(plan->curve.length() / 2) + Point(0, 0.8), 0.1});
+  const auto worse = InflatedSpace::build(narrow).value();
+  const Box post = Box{{0, 0}, {20, 20}};
+  const auto failed = revalidate(worse, *plan, std::span(&post, 1));
+  CHECK(failed.certificate.status != ProofStatus::proved);
+  CHECK(failed.failed.size() == plan->gears.size());
 }
 
 }  // namespace

@@ -35,10 +35,6 @@ struct Plan {
 
 namespace detail {
 
-/// A search whose routes may have headings: `Route::vehicle`.
-template <class Search>
-concept PlansVehicles = bool{Search::plans_vehicles};
-
 /// A space on which both a search and a smoother work.
 template <class S, class Search, class Smooth>
 concept PlannableSpace = ClearanceSpace<S> && Searcher<Search, S> && Smoother<Smooth, S>;
@@ -93,6 +89,11 @@ class Planner {
       return Unexpected{std::move(failure)};
     };
     if (!route) return failed(std::move(route.error()));
+    if (route->vehicle && !PlansVehicles<Search>) {
+      return failed({.code = PlanError::invalid_option,
+                     .detail = "the route is that of a vehicle, but the search does not say "
+                               "plans_vehicles"});
+    }
 
     Plan plan;
     plan.route = std::move(*route);
@@ -139,7 +140,7 @@ class Planner {
   /// Smooths the plan's route into its curve.
   template <class S>
   Expected<void, Failure> smooth(const S& space, Plan& plan, const Budget& budget) const {
-    if constexpr (detail::PlansVehicles<Search>) {
+    if constexpr (PlansVehicles<Search>) {
       if (plan.route.vehicle) return smooth_for_vehicle(space, plan, budget);
     }
     auto smoothed = detail::smooth_outside_risk(space, smoother_, plan.route, budget);
@@ -168,7 +169,7 @@ class Planner {
   /// Certifies the plan's curve.
   template <class S>
   void prove(const S& space, Plan& plan, const Budget& budget) const {
-    if constexpr (detail::PlansVehicles<Search>) {
+    if constexpr (PlansVehicles<Search>) {
       if (plan.route.vehicle) {
         const auto proof =
             certify(space, *plan.route.vehicle, VehiclePath{plan.curve, plan.gears}, {}, budget);

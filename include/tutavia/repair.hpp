@@ -42,6 +42,21 @@ Revalidation revalidate(const S& after, const Plan& plan, std::span<const Box> c
   return result;
 }
 
+namespace detail {
+
+/// Whether a plan has the headings that a query asks for (to 1e-12 rad).
+inline bool has_headings_of(const Plan& plan, const Query& query) {
+  if (plan.gears.empty()) return !query.start_heading && !query.goal_heading;
+  const VehiclePath path{plan.curve, plan.gears};
+  const auto is_same = [](const std::optional<double>& asked, double heading) {
+    return !asked || std::abs(wrapped_angle(*asked - heading)) <= 1e-12;
+  };
+  return is_same(query.start_heading, path.start().heading) &&
+         is_same(query.goal_heading, path.end().heading);
+}
+
+}  // namespace detail
+
 /// What a repair had to do.
 enum class RepairKind : std::uint8_t {
   kept,           ///< nothing: the whole curve is proved in the new space
@@ -378,8 +393,8 @@ Expected<Repaired, Failure> repair(Planner<Search, Smooth>& planner, const S& af
                                    const Plan& plan, const Revalidation& revalidation,
                                    const Query& query, const RepairOptions& options = {}) {
   if (query.budget.cancelled()) return fail(PlanError::cancelled);
-  const bool same_query =
-      !plan.curve.empty() && plan.curve.start() == query.start && plan.curve.end() == query.goal;
+  const bool same_query = !plan.curve.empty() && plan.curve.start() == query.start &&
+                          plan.curve.end() == query.goal && detail::has_headings_of(plan, query);
   if (same_query && revalidation.certificate.status == ProofStatus::proved) {
     Repaired kept{plan, RepairKind::kept, {plan.curve.pieces().size(), plan.curve.length()}, {}};
     kept.plan.certificate = revalidation.certificate;

@@ -107,6 +107,36 @@ TEST_CASE("what a vehicle cannot drive is not proved") {
   CHECK(certify(space, Vehicle{5, true, {}}, path).status == ProofStatus::undecided);
 }
 
+TEST_CASE("a piece whose ends lie off its own curve cannot be driven") {
+  const auto space = vehicle_space({Polygon{{{-1, 4}, {1, 4}, {1, 6}, {-1, 6}}}});
+  const auto status = [&](const Piece& piece, double radius) {
+    VehiclePath path;
+    path.push_back(piece, Gear::forward);
+    return certify(space, Vehicle::point(radius, true), path).status;
+  };
+  CHECK(status(Clothoid{{0, 0}, {0, 3}, 0, 0, 0, 0}, 1) == ProofStatus::violated);
+  Arc sideways = Arc::around({0, -2}, 2, pi / 2, 0);
+  sideways.b = {-1, 3};
+  CHECK(status(sideways, 1) == ProofStatus::violated);
+  // A negative radius would lead through the obstacle.
+  CHECK(status(Arc::around({0, 0}, -5, pi + 0.3, pi - 0.6), 1) != ProofStatus::proved);
+}
+
+TEST_CASE("a disc may pass exactly at its radius") {
+  // A corridor as wide as the robot: half of its width is the safety radius, or the disc, or both.
+  for (const double safety : {0.5, 0.25, 0.0}) {
+    INFO("safety radius " << safety);
+    const auto space = vehicle_space({Polygon{{{-9, 0.5}, {9, 0.5}, {9, 2}, {-9, 2}}},
+                                      Polygon{{{-9, -0.5}, {9, -0.5}, {9, -2}, {-9, -2}}}},
+                                     safety);
+    VehiclePath path;
+    path.push_back(Segment{{-20, 0}, {20, 0}}, Gear::forward);
+    CHECK(certify(space, Vehicle::disc(0.5 - safety, 1), path).status == ProofStatus::proved);
+    CHECK(certify(space, Vehicle::disc(0.5 - safety + 1e-15, 1), path).status !=
+          ProofStatus::proved);
+  }
+}
+
 /// A chain of random arcs, segments and clothoids with continuous headings.
 VehiclePath random_vehicle_path(Random& random, const Point& from, double scale) {
   VehiclePath path;

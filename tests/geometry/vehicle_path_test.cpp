@@ -9,6 +9,7 @@
 #include "support/driven_word.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
+#include "tutavia/geometry/steering_word.hpp"
 
 namespace {
 
@@ -109,6 +110,16 @@ TEST_CASE("a straight piece keeps its direction, however short and far from the 
     ++(piece.get_if<Segment>() != nullptr ? segments : clothoids);
   }
   CHECK((segments > 0 && clothoids > 0));
+}
+
+TEST_CASE("a single point keeps its heading when a path is reversed") {
+  for (const Steering side : {Steering::left, Steering::right}) {
+    VehiclePath path;
+    path.push_back(detail::turn_from({{1, 2}, 0.5}, {side, 0}, 2), Gear::forward);
+    CHECK(path.start().heading == Approx(0.5));
+    CHECK(path.reversed().start().heading == Approx(0.5));
+    CHECK(path.reversed().reversed().end().heading == Approx(0.5));
+  }
 }
 
 }  // namespace

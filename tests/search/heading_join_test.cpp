@@ -20,6 +20,9 @@ namespace {
 using namespace tutavia;
 using test::search_once;
 
+static_assert(PlansVehicles<HeadingJoin<>>);
+static_assert(!PlansVehicles<AutoSearch>);
+
 TEST_CASE("a route without headings becomes a drive along it") {
   Workspace world{.bounds = {{0, 0}, {40, 40}}, .safety_radius = 0.5};
   world.obstacles.emplace_back(Polygon{{{18, 0}, {22, 0}, {22, 28}, {18, 28}}});

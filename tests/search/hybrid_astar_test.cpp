@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <stop_token>
 #include <string>
 
 #include "support/catch.hpp"
@@ -137,12 +139,63 @@ TEST_CASE("a vehicle that turns on the spot takes the path of a robot without he
     const HybridAStar search{.vehicle = Vehicle::point(turning, true)};
     test::check_vehicle_route(world, search.vehicle, still, *search_once(search, space, still));
   }
+  // With the start's heading free the search may begin at the goal.
+  const Query leaning{.start = {8.5, 10}, .goal = {8.5, 10}, .goal_heading = 0};
+  const HybridAStar both{.vehicle = Vehicle::point(1, true)};
+  test::check_vehicle_route(world, both.vehicle, leaning, *search_once(both, space, leaning));
   still.goal_heading = 1;
   for (const double turning : {0.0, 1.0}) {
     const HybridAStar search{.vehicle = Vehicle::point(turning, true)};
     const auto route = search_once(search, space, still);
     test::check_vehicle_route(world, search.vehicle, still, *route);
     CHECK(route->curve.length() == 0);
+  }
+}
+
+TEST_CASE("of two ways of the same cost one is taken, not parts of both", "[soak]") {
+  // Worlds that are their own mirror images have such ways.
+  const std::uint64_t seed = 147;
+  Random random(seed);
+  std::size_t found = 0;
+  for (std::size_t round = 0; round < test::scaled(150); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    Workspace world{.bounds = {{-10, -6}, {10, 6}}, .safety_radius = 0.1};
+    for (std::uint64_t i = 0; i < 2 + random.below(8); ++i) {
+      const double x = random.uniform(-8, 8), y = random.uniform(0, 5),
+                   r = random.uniform(0.2, 1.2);
+      world.obstacles.emplace_back(Disc{{x, y}, r});
+      world.obstacles.emplace_back(Disc{{x, -y}, r});
+    }
+    const auto space = InflatedSpace::build(world).value();
+    const HybridAStar search{.vehicle = Vehicle::point(random.uniform(0.5, 3), true),
+                             .heuristic_weight = random.uniform(1, 2),
+                             .searches = 1};
+    Query query{.start = {-9, 0}, .goal = {9, 0}, .start_heading = 0, .goal_heading = 0};
+    if (random.below(2) == 0) query.goal_heading = pi;
+    if (random.below(4) == 0) query.start_heading = std::nullopt;
+    query.budget.max_expansions = 5000;
+    const auto route = search_once(search, space, query);
+    if (!route) continue;
+    ++found;
+    test::check_vehicle_route(world, search.vehicle, query, *route);
+    CHECK(certify(space, search.vehicle, {route->curve, route->gears}).status ==
+          ProofStatus::proved);
+  }
+  CHECK(found > test::scaled(150) / 2);
+}
+
+TEST_CASE("a robot as wide as its corridor turns on the spot and drives through") {
+  OccupancyGrid grid = OccupancyGrid::blocked(12, 3).value();
+  for (int x = 0; x < 12; ++x) grid.set({x, 1}, true);
+  const Query query{.start = {1.5, 1.5}, .goal = {9.5, 1.5}, .start_heading = 2, .goal_heading = 1};
+  for (const double safety : {0.5, 0.25, 0.0}) {
+    INFO("safety radius " << safety);
+    const auto space = CellSpace::build(grid, {.safety_radius = safety}).value();
+    const HybridAStar search{.vehicle = Vehicle::disc(0.5 - safety)};
+    const auto route = search_once(search, space, query);
+    REQUIRE(route);
+    CHECK(certify(space, search.vehicle, {route->curve, route->gears}).status ==
+          ProofStatus::proved);
   }
 }
 
@@ -178,6 +231,10 @@ TEST_CASE("failures of vehicles say what is wrong") {
   Query limited{.start = {3, 3}, .goal = {3.5, 3.2}, .start_heading = 0, .goal_heading = 0};
   limited.budget.max_expansions = 0;
   CHECK(failure(car, limited).code == PlanError::budget_exhausted);
+  std::stop_source stop;
+  stop.request_stop();
+  limited.budget = {.stop = stop.get_token()};
+  CHECK(failure(car, limited).code == PlanError::cancelled);
 }
 
 TEST_CASE("searches without headings refuse a query with headings by its name") {

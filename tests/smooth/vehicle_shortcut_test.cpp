@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "support/catch.hpp"
@@ -12,6 +14,7 @@
 #include "support/scale.hpp"
 #include "support/vehicle_checker.hpp"
 #include "tutavia/planner.hpp"
+#include "tutavia/search/first_of.hpp"
 #include "tutavia/search/hybrid_astar.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "tutavia/space/inflated_space.hpp"
@@ -103,6 +106,35 @@ TEST_CASE("a vehicle's plan is refused by smoothers that keep no headings") {
   CHECK(route->gears.size() == route->curve.pieces().size());
   CHECK(VehicleShortcut{}.smooth(space, route->curve, {}).error().code ==
         PlanError::invalid_option);
+}
+
+/// A search that hands on the routes of another one and does not say so.
+struct Wrapped {
+  static constexpr std::string_view name = "wrapped";
+  using Scratch = HybridAStar::Scratch;
+  HybridAStar inner{};
+
+  template <class S, Observer O>
+  Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
+                                  O& observer) const {
+    return inner.search(space, query, scratch, observer);
+  }
+};
+
+TEST_CASE("a planner never takes the route of a vehicle for that of a point") {
+  const auto space = yard();
+  const HybridAStar car{.vehicle = Vehicle::car(2, 1, 1.2, 2)};
+  const Query query{.start = {3, 3}, .goal = {27, 27}, .start_heading = 0, .goal_heading = 0};
+  Planner wrapped{Wrapped{car}, NoSmoothing{}};
+  const auto refused = wrapped.plan(space, query);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code == PlanError::invalid_option);
+  CHECK(refused.error().detail.find("plans_vehicles") != std::string::npos);
+  Planner first{FirstOf{car, car}, VehicleShortcut{}};
+  const auto plan = first.plan(space, query);
+  REQUIRE(plan);
+  CHECK(plan->gears.size() == plan->curve.pieces().size());
+  CHECK(plan->route.found_by == "hybrid_astar");
 }
 
 TEST_CASE("options out of range are refused, and without time the path stays") {

@@ -66,7 +66,7 @@ class ReferenceMotion {
       const Real angle = Real(arc->start_angle) + t * arc->sweep;
       x = arc->center.x() + Real(arc->radius) * std::cos(angle);
       y = arc->center.y() + Real(arc->radius) * std::sin(angle);
-      heading = angle + (arc->sweep < 0 ? -1 : 1) * std::acos(Real(-1)) / 2;
+      heading = angle + (std::signbit(arc->sweep) ? -1 : 1) * std::acos(Real(-1)) / 2;
     } else if (const Clothoid* clothoid = piece_.get_if<Clothoid>()) {
       const Real k = clothoid->start_curvature, c = clothoid->sharpness;
       const auto direction = [&](Real s) { return clothoid->start_heading + s * (k + c * s / 2); };

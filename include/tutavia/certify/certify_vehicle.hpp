@@ -35,6 +35,18 @@ namespace detail {
 
 /// Headings of consecutive pieces may differ by so much [rad].
 inline constexpr double heading_tolerance = 1e-9;
+/// The ends of a piece may lie off its curve by so much, relative to its coordinates.
+inline constexpr double gap_tolerance = 1e-12;
+
+/// The largest distance of a piece's stored ends from the curve that its numbers define [m].
+template <class P>
+double end_gap(const P& piece) {
+  if constexpr (std::is_same_v<P, Arc> || std::is_same_v<P, Clothoid>) {
+    return piece.evaluation_error();  // with a few roundings besides
+  } else {
+    return 0;
+  }
+}
 
 /// Measures curvature and headings of a path. Whether each piece is of a kind that a vehicle can
 /// follow, in a gear that it has, without gaps, turns on the spot or corners.
@@ -49,6 +61,10 @@ inline void measure_driving(const Vehicle& vehicle, const VehiclePath& path,
                                    ? segment->a != segment->b
                                    : pieces[i].holds<Arc>() || pieces[i].holds<Clothoid>();
     possible = possible && has_direction && (path.gears[i] == Gear::forward || vehicle.reverse);
+    const double magnitude = max_magnitude(start_of(pieces[i])) + max_magnitude(end_of(pieces[i]));
+    const double gap = pieces[i].visit([](const auto& piece) { return end_gap(piece); });
+    const double length = path.curve.length_before(i + 1) - path.curve.length_before(i);
+    possible = possible && gap <= gap_tolerance * (1e-3 + magnitude + length);
     certificate.max_curvature = std::max(certificate.max_curvature, max_curvature(pieces[i]));
     if (const Arc* arc = pieces[i].get_if<Arc>(); arc != nullptr && arc->radius == 0) {
       possible = possible && (arc->sweep == 0 || vehicle.min_turning_radius == 0);
@@ -72,6 +88,11 @@ void visit_carried(const Piece& any, Gear gear, const Point& offset, double head
     using P = std::remove_cvref_t<decltype(piece)>;
     if constexpr (std::is_same_v<P, Segment> || std::is_same_v<P, Arc> ||
                   std::is_same_v<P, Clothoid>) {
+      if constexpr (std::is_same_v<P, Arc>) {  // a turn on the spot, or no motion at all
+        if (is_zero(offset) && piece.a == piece.b && piece.length() == 0) {
+          return use(Segment{piece.a, piece.b}, 0.0);
+        }
+      }
       if (is_zero(offset)) return use(piece, 0.0);
       const double largest = std::fmax(magnitude, piece.box().largest_coordinate());
       use(carried(piece, ahead),

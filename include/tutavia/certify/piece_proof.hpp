@@ -86,8 +86,8 @@ PieceError piece_error(const Bezier<Degree>&, double magnitude) {
   return {0, 6 * 0x1p-53 * magnitude};
 }
 
-/// Proves a segment: one distance to the obstacles' boundaries, and the space's exact test for ties
-/// at its own safety radius.
+/// Proves a segment: one distance to the obstacles' boundaries, and for ties an exact test: that of
+/// the space at its own safety radius, at others every feature near.
 template <ClearanceSpace S>
 PieceProof prove(const S& space, const Segment& segment, double distance, double error_bound,
                  std::size_t) {
@@ -103,6 +103,14 @@ PieceProof prove(const S& space, const Segment& segment, double distance, double
     } else if (distance > 0) {  // at radius 0 the space rejects some contacts that are no violation
       proof.status = ProofStatus::violated;
     }
+  } else if constexpr (FeatureSpace<S>) {
+    bool keeps = true;
+    const Box near = segment.box().inflated(distance + 2 * error_bound);
+    space.for_each_feature(near, [&](const Segment& core, double radius) {
+      keeps = keeps && keeps_distance(segment, core, radius, distance, error_bound);
+    });
+    proof.status =
+        keeps && !space.is_inside(segment.a) ? ProofStatus::proved : ProofStatus::violated;
   }
   return proof;
 }

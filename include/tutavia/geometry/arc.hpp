@@ -60,7 +60,7 @@ struct Arc {
 
   bool is_finite() const {
     return tutavia::detail::is_finite(a) && tutavia::detail::is_finite(b) &&
-           tutavia::detail::is_finite(center) && std::isfinite(radius) &&
+           tutavia::detail::is_finite(center) && radius >= 0 && std::isfinite(radius) &&
            std::isfinite(start_angle) && std::abs(sweep) <= 2 * std::numbers::pi;
   }
 

@@ -32,13 +32,16 @@ inline double wrapped_angle(double angle) {
   return result <= -std::numbers::pi ? std::numbers::pi : result;
 }
 
+/// The side to which an arc turns: 1 to the left, -1 to the right; by the sign of its sweep, even
+/// if that is zero, so that an arc which is a single point keeps its direction when it is reversed.
+inline double turning_side(const Arc& arc) { return std::signbit(arc.sweep) ? -1 : 1; }
+
 /// The direction of travel on a piece at parameter t [rad], not wrapped. It is taken from the
 /// angles that arcs and clothoids store, so they have one even if they are a single point.
 template <class P>
 double travel_direction(const P& piece, double t) {
   if constexpr (std::is_same_v<P, Arc>) {
-    const double quarter = piece.sweep < 0 ? -std::numbers::pi / 2 : std::numbers::pi / 2;
-    return piece.start_angle + t * piece.sweep + quarter;
+    return piece.start_angle + t * piece.sweep + turning_side(piece) * (std::numbers::pi / 2);
   } else if constexpr (std::is_same_v<P, Clothoid>) {
     return piece.start_heading + piece.turn_to(t);
   } else {

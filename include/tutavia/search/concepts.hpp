@@ -79,4 +79,11 @@ concept Searcher = std::copyable<A> && std::default_initializable<typename A::Sc
   { a.search(space, query, scratch, observer) } -> std::same_as<Expected<Route, Failure>>;
 };
 
+/// A search whose routes may have a vehicle and gears. It says so by `plans_vehicles = true`; the
+/// planner refuses such routes of a search that does not.
+///
+/// Example: tests/search/heading_join_test.cpp.
+template <class A>
+concept PlansVehicles = bool{A::plans_vehicles};
+
 }  // namespace tutavia

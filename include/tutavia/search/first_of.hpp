@@ -27,6 +27,7 @@ namespace tutavia {
 template <class First, class Second>
 struct FirstOf {
   static constexpr std::string_view name = "first_of";
+  static constexpr bool plans_vehicles = PlansVehicles<First> || PlansVehicles<Second>;
   struct Scratch {
     typename First::Scratch first;
     typename Second::Scratch second;

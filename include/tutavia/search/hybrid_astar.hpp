@@ -38,10 +38,11 @@ namespace tutavia {
 /// where that has corners.
 ///
 /// Errors: those of `validate(vehicle)`; `invalid_option` for weights below 1, a negative or
-/// infinite cusp_cost and fewer than 8 or more than 360 headings; `start_blocked` and
-/// `goal_blocked` if the footprint there is not free (headings given) or the reference point is
-/// not; `unreachable` if no way is wide enough whatever the headings;
-/// `unreachable_at_resolution` if there is no path at the finest resolution; those of the budget.
+/// infinite cusp_cost, fewer than 8 headings, more than 8 searches or more than 1022 headings in
+/// the last; `start_blocked` and `goal_blocked` if the footprint there is not free (where the
+/// heading is given, or does not matter because the footprint is one centred disc); `unreachable`
+/// if no way is wide enough whatever the headings; `unreachable_at_resolution` if there is no path
+/// at the finest resolution; those of the budget.
 ///
 /// Source: Dolgov, Thrun, Montemerlo and Diebel 2010, "Path planning for autonomous vehicles in
 /// unknown semi-structured environments". Here moves and drives are proved, and headings are exact.
@@ -58,8 +59,8 @@ struct HybridAStar {
   Vehicle vehicle = Vehicle::point(1, true);
   double reverse_weight = 1.5;  ///< a metre in reverse costs so much
   double cusp_cost = 1;         ///< a change of gear costs so much [m]
-  /// Factor of the heuristic: at 1 the search goes on until no cheaper path can follow at its
-  /// resolution, at more it ends sooner.
+  /// Factor of the heuristic, at least 1: the smaller, the cheaper the path and the longer the
+  /// search.
   double heuristic_weight = 2;
   int headings = 24;  ///< directions in the first search; doubled in each further one
   int searches = 3;   ///< at most
@@ -68,12 +69,15 @@ struct HybridAStar {
   Expected<Route, Failure> search(const S& space, const Query& query, Scratch& scratch,
                                   O& observer) const {
     if (auto valid = check(space, query); !valid) return std::move(valid).unexpected();
-    if (vehicle.min_turning_radius == 0) {
-      return detail::search_on_the_spot(space, vehicle, query, scratch.on_the_spot, observer);
+    if (auto within = detail::check_budget(query.budget, 0); !within) {
+      return std::move(within).unexpected();
     }
     Query wrapped = query;
     for (std::optional<double>* heading : {&wrapped.start_heading, &wrapped.goal_heading}) {
       if (*heading) **heading = detail::wrapped_angle(**heading);
+    }
+    if (vehicle.min_turning_radius == 0) {
+      return detail::search_on_the_spot(space, vehicle, wrapped, scratch.on_the_spot, observer);
     }
     // From the tighter end fewer ways lead on, and the other end is easy to reach.
     const bool from_goal =

@@ -33,7 +33,7 @@ inline Segment carried(const Segment& segment, const Point& offset) {
 
 /// Along an arc it is an arc around the same centre.
 inline Arc carried(const Arc& arc, const Point& offset) {
-  const double side = arc.sweep < 0 ? -1 : 1;
+  const double side = turning_side(arc);
   const double outwards = arc.radius - side * offset.y(), onwards = side * offset.x();
   const double ahead = travel_direction(arc, 0);
   return {carried_from(arc.a, ahead, offset),

@@ -15,16 +15,18 @@
 #include "tutavia/space/concepts.hpp"
 
 /// \file
-/// DistanceToGo: how far a vehicle has to go at least, whatever its headings.
+/// DistanceToGo: about how far a vehicle has to go, whatever its headings.
 
 namespace tutavia::detail {
 
-/// Lower bounds of the way from points to a goal among obstacles, on coarse cells.
+/// Estimates of the way from points to a goal among obstacles, on coarse cells.
 ///
 /// A cell is open unless no point of it may be the reference point: unless the clearance at its
 /// centre is below that of the largest disc around the reference point within the footprint, by
-/// more than half of the cell's diagonal. A way of length L passes open cells whose octile length
-/// is at most L / cos(pi / 8) plus two diagonals.
+/// more than half of the cell's diagonal. So where there is a way, there is one over open cells.
+/// The estimate is cos(pi / 8) of its octile length less two diagonals. In the open that is no more
+/// than the way. Between obstacles that force a way to change cells all the time it may be up
+/// to 1.31 times as much.
 ///
 /// The distances are those of A* from the goal towards the start, which goes on where a point asks
 /// for more (Silver 2005, "Cooperative pathfinding", section "Windowed hierarchical cooperative
@@ -51,9 +53,9 @@ class DistanceToGo {
     reach(cell_at(goal), 0);
   }
 
-  /// A lower bound of the way from `p` to the goal [m], from what is known already; infinity if
-  /// there is no way. A cell that is not closed lies at least as far as the estimates of the cells
-  /// that are still to be expanded say. \pre `p` lies within the bounds
+  /// The estimate of the way from `p` to the goal [m], or less, from what is known already;
+  /// infinity if there is no way. A cell that is not closed lies at least as far as the estimates
+  /// of the cells that are still to be expanded say. \pre `p` lies within the bounds
   double operator()(const Point& p) const {
     const Place place = cell_at(p);
     const CellState& cell = at(place);

@@ -69,7 +69,7 @@ class HybridSearch {
     shoot(0);
     const double shortest = length_to_goal(pose(state(0)));
     if (!(best_.cost <= heuristic_weight_ * shortest)) return std::nullopt;
-    return path_to(0);
+    return path_to_goal();
   }
 
   /// Searches with `headings` directions and moves of at least `least_move` metres. Empty: there is
@@ -92,10 +92,10 @@ class HybridSearch {
     }
     while (!open_.empty()) {
       const HybridEntry entry = pop();
-      if (entry.kind == Kind::to_goal) return std::optional(path_to(entry.state));
+      if (entry.kind == Kind::to_goal) return std::optional(path_to_goal());
       if (auto within = context_.check_budget(16); !within) {
         const bool is_answer = best_.state != HybridState::none && !query_.budget.cancelled();
-        if (is_answer) return std::optional(path_to(best_.state));
+        if (is_answer) return std::optional(path_to_goal());
         return std::move(within).unexpected();
       }
       take(entry);
@@ -308,11 +308,13 @@ class HybridSearch {
     return footprint_.is_free(context_.space, path);
   }
 
-  /// The path from the start to a state, and on to the goal by the best drive. Equal moves are
+  /// The path from the start to where the best drive begins, and on to the goal. Equal moves are
   /// joined if the joined piece is proved as well.
-  VehiclePath path_to(std::uint32_t last) {
+  VehiclePath path_to_goal() {
     std::vector<std::uint32_t> chain;
-    for (std::uint32_t i = last; i != HybridState::none; i = state(i).parent) chain.push_back(i);
+    for (std::uint32_t i = best_.state; i != HybridState::none; i = state(i).parent) {
+      chain.push_back(i);
+    }
     std::reverse(chain.begin(), chain.end());
     VehiclePath path;
     const auto add = [&](const VehiclePath& part) {
@@ -342,7 +344,8 @@ class HybridSearch {
       add(joined);
       i = end;
     }
-    add(vehicle_path(best_.word, pose(state(last)), {query_.goal, best_.goal_heading}, radius_));
+    add(vehicle_path(best_.word, pose(state(best_.state)), {query_.goal, best_.goal_heading},
+                     radius_));
     return path;
   }
 
