@@ -149,14 +149,23 @@ TEST_CASE("headings and gears of a vehicle on a turned ROS map are those of its 
   const RosMap flat = frame_with({-21.2, -14.9}, 0), turned = frame_with({-21.2, -14.9}, yaw);
   const auto turn = [&](const Point& p) { return to_map_frame(turned, to_grid_frame(flat, p)); };
   const auto results = [&](const char* map, const Point& start, const char* heading,
-                           const Point& goal, const char* goal_heading) {
+                           const Point& goal, const char* goal_heading, const char* smoother) {
     return folder.results_of(std::string("--grid ") + map + " --start=" + text_of(start) + "," +
                              heading + " --goal=" + text_of(goal) + "," + goal_heading +
-                             " --reverse --turning-radius 0.2 --footprint disc:0.04")["results"][0];
+                             " --reverse --turning-radius 0.2 --footprint disc:0.04 --smoother " +
+                             smoother)["results"][0];
   };
   const Point start{-20.93, -14.71}, goal{-20.05, -13.8};
-  const json a = results("flat.yaml", start, "45", goal, "180");
-  const json b = results("turned.yaml", turn(start), "135", turn(goal), "-90");
+  // A shortcut may divide the same curve into other pieces.
+  for (const char* smoother : {"none", "vehicle_shortcut"}) {
+    const json flat_length =
+        results("flat.yaml", start, "45", goal, "180", smoother)["metrics"]["length"];
+    const json turned_length = results("turned.yaml", turn(start), "135", turn(goal), "-90",
+                                       smoother)["metrics"]["length"];
+    CHECK(flat_length.get<double>() == Approx(turned_length.get<double>()).epsilon(1e-9));
+  }
+  const json a = results("flat.yaml", start, "45", goal, "180", "none");
+  const json b = results("turned.yaml", turn(start), "135", turn(goal), "-90", "none");
   REQUIRE(a["curve"].size() == b["curve"].size());
   for (std::size_t i = 0; i < a["curve"].size(); ++i) {
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {

@@ -115,7 +115,7 @@ TEST_CASE("options have the names of their members, and enumerators their own") 
   for (const auto& list : {describe_searches(), describe_smoothers()}) {
     for (const AlgorithmDescription& algorithm : list) described += algorithm.options.size();
   }
-  CHECK(check_all(Searches{}) + check_all(Smoothers{}) == described);
+  CHECK(check_all(EverySearch{}) + check_all(EverySmoother{}) == described);
   CHECK(described > 50);
   check_names<EdgeRule>("edges");
 }
