@@ -150,19 +150,6 @@ struct Family {
   std::string_view name;
   MakeTask make;
 };
-constexpr Family families[] = {
-    {"point, R = 3 m, 60 x 60 m, 40 polygons",
-     [](Random& random) {
-       Workspace world = polygon_yard(random, 60, 40, 1.5, 5);
-       world.safety_radius = 0.4;
-       return in_yard(Vehicle::point(3, true), std::move(world), random);
-     }},
-    {"car, R = 5 m, 60 x 60 m, 20 polygons",
-     [](Random& random) { return in_yard(car(), polygon_yard(random, 60, 20, 1.5, 5), random); }},
-    {"car into a bay or a gap",
-     [](Random& random) { return random.below(2) == 0 ? bay(random) : gap(random); }},
-};
-
 /// Time to the first path and its length [m]; infinite without one.
 struct FirstPath {
   double micros = 0;
@@ -188,6 +175,19 @@ double median(std::vector<double> values) {
 #ifdef TUTAVIA_WITH_OMPL
 
 namespace ob = ompl::base;
+
+constexpr Family families[] = {
+    {"point, R = 3 m, 60 x 60 m, 40 polygons",
+     [](Random& random) {
+       Workspace world = polygon_yard(random, 60, 40, 1.5, 5);
+       world.safety_radius = 0.4;
+       return in_yard(Vehicle::point(3, true), std::move(world), random);
+     }},
+    {"car, R = 5 m, 60 x 60 m, 20 polygons",
+     [](Random& random) { return in_yard(car(), polygon_yard(random, 60, 20, 1.5, 5), random); }},
+    {"car into a bay or a gap",
+     [](Random& random) { return random.below(2) == 0 ? bay(random) : gap(random); }},
+};
 
 /// Motions are Reeds-Shepp drives, proved for the whole footprint.
 class ProvedMotions : public ob::MotionValidator {
