@@ -97,6 +97,7 @@ struct VehicleShortcut {
                                             const VehiclePath& path, const Budget& budget) const {
     const std::vector<Part> parts = cut(path);  // part i ends at place i
     std::vector<Pose> ends;
+    ends.reserve(parts.size());
     for (const Part& part : parts) ends.push_back(path.pose(part.piece, part.to));
     detail::DriveChain chain(vehicle, costs(), ends);
     const auto way = chain.cheapest(

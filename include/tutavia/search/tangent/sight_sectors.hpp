@@ -48,7 +48,7 @@ class SightSectors {
 
  private:
   static constexpr std::size_t sectors = 512;
-  static constexpr double quarter = sectors / 4;
+  static constexpr double quarter = static_cast<double>(sectors) / 4;
 
   static double sum_norm(const Point& p) { return std::abs(p.x()) + std::abs(p.y()); }
   /// The direction of a vector, counterclockwise from the x-axis, in sectors. They divide the
