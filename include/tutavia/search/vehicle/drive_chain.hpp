@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "tutavia/certify/certify_vehicle.hpp"
@@ -116,8 +117,9 @@ class DriveChain {
         }
       }
     }
-    std::stable_sort(candidates_.begin(), candidates_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+      return std::tie(a.cost, a.from, a.gear_before) < std::tie(b.cost, b.from, b.gear_before);
+    });
   }
 
   std::vector<Step> steps() const {

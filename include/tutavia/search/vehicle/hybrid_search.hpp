@@ -112,6 +112,7 @@ class HybridSearch {
     double cost = std::numeric_limits<double>::infinity();
     SteeringWord word{};
     double goal_heading = 0;
+    std::size_t order = 0;  // among the drives from that state
   };
 
   void set_resolution(int headings, double least_move) {
@@ -235,7 +236,7 @@ class HybridSearch {
     shots_.clear();
     const auto offer = [&](const SteeringWord& word, double heading) {
       const double cost = s.cost + cost_of(word, radius_, costs_, gear(s));
-      if (cost < best_.cost) shots_.push_back({from, cost, word, heading});
+      if (cost < best_.cost) shots_.push_back({from, cost, word, heading, shots_.size()});
     };
     for_each_goal_heading(near, [&](double heading) {
       const Pose goal{query_.goal, heading};
@@ -246,8 +247,8 @@ class HybridSearch {
         offer(dubins_word(near, goal, radius_), heading);
       }
     });
-    std::stable_sort(shots_.begin(), shots_.end(), [](const ToGoal& a, const ToGoal& b) {
-      return key_of(a.cost) < key_of(b.cost);
+    std::sort(shots_.begin(), shots_.end(), [](const ToGoal& a, const ToGoal& b) {
+      return std::pair(key_of(a.cost), a.order) < std::pair(key_of(b.cost), b.order);
     });
     if (shots_.size() > most_shots) shots_.resize(most_shots);
     for (const ToGoal& shot : shots_) {
