@@ -75,6 +75,13 @@ struct VehiclePath {
     gears.push_back(gear);
   }
 
+  /// Appends another path. \pre it starts where this one ends
+  void append(const VehiclePath& other) {
+    for (std::size_t i = 0; i < other.gears.size(); ++i) {
+      push_back(other.curve.pieces()[i], other.gears[i]);
+    }
+  }
+
   bool empty() const { return curve.empty(); }
   double length() const { return curve.length(); }
 

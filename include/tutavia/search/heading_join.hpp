@@ -98,18 +98,10 @@ struct HeadingJoin {
     VehiclePath path;
     const auto no_way = [](std::size_t) { return std::optional<detail::DriveChain::KnownWay>(); };
     for (const auto& step : chain.cheapest(space, footprint, no_way, query.budget)) {
-      const VehiclePath drive = chain.path(*step.drive, step.from, step.to);
-      for (std::size_t k = 0; k < drive.gears.size(); ++k) {
-        path.push_back(drive.curve.pieces()[k], drive.gears[k]);
-      }
+      path.append(chain.path(*step.drive, step.from, step.to));
     }
     if (path.empty()) return std::nullopt;
-    Route joined;
-    joined.cost = detail::cost_of(path, costs);
-    joined.curve = std::move(path.curve);
-    joined.gears = std::move(path.gears);
-    joined.vehicle = vehicle;
-    return joined;
+    return detail::route_of(std::move(path), vehicle, costs);
   }
 };
 

@@ -22,10 +22,10 @@ namespace tutavia {
 /// A* over positions and headings of a vehicle: arcs and straight moves, and drives of Reeds and
 /// Shepp (or Dubins, without reverse) to the goal.
 ///
-/// The route is the VehiclePath {curve, gears} of `Route::vehicle`. Every
-/// disc of the vehicle's footprint is proved to keep the safety radius over the continuous motion.
-/// No curvature exceeds 1 / min_turning_radius, and the headings at both ends are those of the
-/// query (within 1e-12 rad). A missing heading is free.
+/// The route is the VehiclePath {curve, gears} of `Route::vehicle`. Every disc of the vehicle's
+/// footprint is proved to keep the safety radius over the continuous motion. No curvature exceeds
+/// 1 / min_turning_radius, and the headings at both ends are those of the query (within 1e-12 rad).
+/// A missing heading is free.
 ///
 /// The search is repeated with finer headings and moves while it finds nothing, so it is complete
 /// at the finest of them alone; the path is not the cheapest there is. `Route::cost` is the length,
@@ -79,7 +79,7 @@ struct HybridAStar {
     if (vehicle.min_turning_radius == 0) {
       return detail::search_on_the_spot(space, vehicle, wrapped, scratch.on_the_spot, observer);
     }
-    // From the tighter end fewer ways lead on, and the other end is easy to reach.
+    // At the end with less clearance few moves are free. Drives reach the other end easily.
     const bool from_goal =
         vehicle.reverse && clearance(space, wrapped.goal, wrapped.goal_heading) <
                                0.5 * clearance(space, wrapped.start, wrapped.start_heading);
@@ -93,7 +93,10 @@ struct HybridAStar {
     detail::HybridSearch<S, O> search(context, wrapped, vehicle, costs, heuristic_weight,
                                       scratch.states);
     const auto found = [&](VehiclePath path) {
-      return route_of(from_goal ? path.reversed() : std::move(path), context.statistics);
+      Route route = detail::route_of(from_goal ? path.reversed() : std::move(path), vehicle,
+                                     {1, reverse_weight, cusp_cost});
+      route.stats = context.statistics;
+      return route;
     };
     if (auto direct = search.drive_directly()) return found(std::move(*direct));
     const double side = std::fmax(space.bounds().width(), space.bounds().height());
@@ -184,16 +187,6 @@ struct HybridAStar {
       return Unexpected{std::move(failure)};
     }
     return {};
-  }
-
-  Route route_of(VehiclePath path, const Statistics& stats) const {
-    Route route;
-    route.cost = detail::cost_of(path, {1, reverse_weight, cusp_cost});
-    route.curve = std::move(path.curve);
-    route.gears = std::move(path.gears);
-    route.vehicle = vehicle;
-    route.stats = stats;
-    return route;
   }
 };
 

@@ -26,12 +26,12 @@ namespace tutavia {
 
 /// Replaces parts of a vehicle's path by shortest drives that are proved free.
 ///
-/// The path is cut into at most `places` parts, and its joints besides. A cheapest chain of the
-/// parts and of shortest drives between any two places, each proved, is found by dynamic
-/// programming; this is repeated while it saves more than a thousandth. The result never costs more
-/// than the input by the weights below, and keeps its ends, its headings there and the turning
-/// radius. A vehicle that turns on the spot keeps its path. If the budget ends, the best path so
-/// far is returned.
+/// The candidates are the joints of the pieces and up to `places` poses at equal steps of arc
+/// length. Dynamic programming finds the cheapest chain of parts of the path and of shortest drives
+/// between any two candidates, each proved. It is repeated while it saves more than a thousandth.
+/// The result never costs more than the input by the weights below, and keeps its ends, its
+/// headings there and the turning radius. A vehicle that turns on the spot keeps its path. If the
+/// budget ends, the best path so far is returned.
 ///
 /// Errors: `invalid_option` for a weight below 1, a negative cusp_cost and less than 2 or more than
 /// 1000 places.
@@ -115,10 +115,7 @@ struct VehicleShortcut {
     VehiclePath result;
     for (std::size_t i = 0; i < way.size(); ++i) {
       if (way[i].drive) {
-        const VehiclePath drive = chain.path(*way[i].drive, way[i].from, way[i].to);
-        for (std::size_t k = 0; k < drive.gears.size(); ++k) {
-          result.push_back(drive.curve.pieces()[k], drive.gears[k]);
-        }
+        result.append(chain.path(*way[i].drive, way[i].from, way[i].to));
         continue;
       }
       Part part = parts[way[i].to];  // parts of one piece are joined again
@@ -131,8 +128,7 @@ struct VehicleShortcut {
     return result;
   }
 
-  /// At most `places` parts of about equal lengths, and more at the joints; before them an empty
-  /// part at the start.
+  /// The parts between neighbouring candidates, after an empty part at the start.
   std::vector<Part> cut(const VehiclePath& path) const {
     const double spacing = path.length() / places;
     std::vector<Part> parts{{0, 0, 0}};

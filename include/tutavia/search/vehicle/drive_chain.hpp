@@ -22,17 +22,17 @@
 
 namespace tutavia::detail {
 
-/// The cheapest way from the first of a row of places to the last, by shortest drives between any
-/// two of them (Reeds and Shepp, or Dubins without reverse) that are proved free, and by ways that
-/// are known between neighbours. Found by dynamic programming over places and gears.
+/// The cheapest path from the first of several poses to the last. It consists of shortest drives
+/// between any two of them (Reeds and Shepp, or Dubins without reverse) that are proved free, and
+/// of known paths between neighbours. Dynamic programming over poses and gears finds it.
 class DriveChain {
  public:
-  /// A known way from the place before.
+  /// A known path from the pose before.
   struct KnownWay {
     Gear gear;
     double cost;  ///< [m]
   };
-  /// A step of the chain: the drive to place `to`, or the known ways from place to place.
+  /// A step of the chain: a drive between two poses, or the known path between neighbours.
   struct Step {
     std::size_t from, to;
     std::optional<SteeringWord> drive;

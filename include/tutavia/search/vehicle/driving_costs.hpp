@@ -4,9 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "tutavia/geometry/steering_word.hpp"
 #include "tutavia/geometry/vehicle_path.hpp"
+#include "tutavia/plan/route.hpp"
+#include "tutavia/plan/vehicle.hpp"
 
 /// \file
 /// DrivingCosts: what driving costs, beside its length.
@@ -43,6 +46,16 @@ inline double cost_of(const VehiclePath& path, const DrivingCosts& costs) {
     cost += path.gears[i] == Gear::reverse ? costs.reverse * length : costs.forward * length;
   }
   return cost;
+}
+
+/// The route of a vehicle, at the cost of its path.
+inline Route route_of(VehiclePath path, const Vehicle& vehicle, const DrivingCosts& costs) {
+  Route route;
+  route.cost = cost_of(path, costs);
+  route.curve = std::move(path.curve);
+  route.gears = std::move(path.gears);
+  route.vehicle = vehicle;
+  return route;
 }
 
 }  // namespace tutavia::detail

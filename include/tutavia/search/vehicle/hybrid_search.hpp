@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -318,11 +317,6 @@ class HybridSearch {
     }
     std::reverse(chain.begin(), chain.end());
     VehiclePath path;
-    const auto add = [&](const VehiclePath& part) {
-      for (std::size_t i = 0; i < part.gears.size(); ++i) {
-        path.push_back(part.curve.pieces()[i], part.gears[i]);
-      }
-    };
     for (std::size_t i = 0; i + 1 < chain.size();) {
       const HybridState& from = state(chain[i]);
       const std::int16_t index = state(chain[i + 1]).move;
@@ -342,11 +336,11 @@ class HybridSearch {
           append(state(chain[k]), move, 1, state(chain[k + 1]), joined);
         }
       }
-      add(joined);
+      path.append(joined);
       i = end;
     }
-    add(vehicle_path(best_.word, pose(state(best_.state)), {query_.goal, best_.goal_heading},
-                     radius_));
+    path.append(vehicle_path(best_.word, pose(state(best_.state)),
+                             {query_.goal, best_.goal_heading}, radius_));
     return path;
   }
 
