@@ -13,6 +13,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -24,6 +25,7 @@
 #include "tutavia/core/random.hpp"
 #include "tutavia/geometry/reeds_shepp.hpp"
 #include "tutavia/search/hybrid_astar.hpp"
+#include "tutavia/smooth/continuous_curvature.hpp"
 #include "tutavia/smooth/vehicle_shortcut.hpp"
 #include "tutavia/space/inflated_space.hpp"
 
@@ -47,7 +49,7 @@ using bench::UsageError;
 constexpr double pi = std::numbers::pi;
 
 struct Arguments {
-  std::vector<std::string> tables{"peers", "share", "parking"};
+  std::vector<std::string> tables{"peers", "share", "parking", "continuous"};
   std::size_t scenes = 20, worlds = 200, rounds = 3;
   std::uint64_t seed = 1;
   double time_limit = 10;
@@ -172,10 +174,6 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-#ifdef TUTAVIA_WITH_OMPL
-
-namespace ob = ompl::base;
-
 constexpr Family families[] = {
     {"point, R = 3 m, 60 x 60 m, 40 polygons",
      [](Random& random) {
@@ -188,6 +186,10 @@ constexpr Family families[] = {
     {"car into a bay or a gap",
      [](Random& random) { return random.below(2) == 0 ? bay(random) : gap(random); }},
 };
+
+#ifdef TUTAVIA_WITH_OMPL
+
+namespace ob = ompl::base;
 
 /// Motions are Reeds-Shepp drives, proved for the whole footprint.
 class ProvedMotions : public ob::MotionValidator {
@@ -406,6 +408,44 @@ void park(const Arguments& args) {
   }
 }
 
+/// Paths of continuous curvature, at full lock within a turning radius, beside shortcuts.
+void make_continuous(const Arguments& args) {
+  std::puts("| scenes | routes | made continuous | ms | shortcut ms | length ratio | cusp ratio |");
+  std::puts("|---|---|---|---|---|---|---|");
+  for (const Family& family : families) {
+    Random random(args.seed);
+    HybridAStar::Scratch scratch;
+    NoObserver no_observer;
+    std::size_t routes = 0, cusps = 0, shortcut_cusps = 0;
+    std::vector<double> times, shortcut_times, lengths;
+    for (std::size_t i = 0; i < args.scenes; ++i) {
+      const VehicleTask task = family.make(random);
+      const HybridAStar search{.vehicle = task.vehicle};
+      const auto route = search.search(task.space, task.query(), scratch, no_observer);
+      if (!route) continue;
+      ++routes;
+      const VehiclePath path{route->curve, route->gears};
+      auto start = Clock::now();
+      const auto shortcut =
+          bench::value_or_throw(VehicleShortcut{}.smooth(task.space, task.vehicle, path, {}));
+      shortcut_times.push_back(micros_since(start) / 1000);
+      start = Clock::now();
+      const auto continuous = ContinuousCurvature{}.smooth(task.space, task.vehicle, path, {});
+      times.push_back(micros_since(start) / 1000);
+      if (!continuous) continue;
+      if (certify(task.space, task.vehicle, *continuous).status != ProofStatus::proved) {
+        throw std::runtime_error("a path of continuous curvature is not proved");
+      }
+      lengths.push_back(continuous->length() / shortcut.length());
+      cusps += continuous->cusps().size();
+      shortcut_cusps += shortcut.cusps().size();
+    }
+    std::printf("| %s | %zu | %zu | %.1f | %.1f | %.3f | %zu / %zu |\n", family.name.data(), routes,
+                lengths.size(), median(times), median(shortcut_times), median(lengths), cusps,
+                shortcut_cusps);
+  }
+}
+
 int run(const Arguments& args) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   for (const std::string& table : args.tables) {
@@ -413,6 +453,8 @@ int run(const Arguments& args) {
       share_solved(args);
     } else if (table == "parking") {
       park(args);
+    } else if (table == "continuous") {
+      make_continuous(args);
     } else {
 #ifdef TUTAVIA_WITH_OMPL
       compare_with_peer(args);
@@ -430,9 +472,9 @@ int main(int argc, char** argv) {
   Arguments args;
   CLI::App app("Paths of vehicles beside OMPL's and an exhaustive search",
                "tutavia-bench-vehicles");
-  app.add_option("--tables", args.tables, "peers, share, parking; a comma list")
+  app.add_option("--tables", args.tables, "peers, share, parking, continuous; a comma list")
       ->delimiter(',')
-      ->check(CLI::IsMember({"peers", "share", "parking"}));
+      ->check(CLI::IsMember({"peers", "share", "parking", "continuous"}));
   app.add_option("--scenes", args.scenes, "Of each of three kinds")->capture_default_str();
   app.add_option("--worlds", args.worlds, "For the share that is solved")->capture_default_str();
   app.add_option("--rounds", args.rounds, "Of which medians are taken")

@@ -133,6 +133,7 @@ TEST_CASE("searches and smoothers for vehicles are made by name, and stand in li
   };
   CHECK(has_name(vehicle_searches<LatticeSpace>(), "hybrid_astar"));
   CHECK(has_name(vehicle_smoothers<LatticeSpace>(), "vehicle_shortcut"));
+  CHECK(has_name(vehicle_smoothers<LatticeSpace>(), "continuous_curvature"));
   CHECK_FALSE(has_name(all_searches<LatticeSpace>(), "hybrid_astar"));
   CHECK_FALSE(has_name(all_smoothers<LatticeSpace>(), "vehicle_shortcut"));
   check_made_like(vehicle_searches<LatticeSpace>(), &make_search<LatticeSpace>);

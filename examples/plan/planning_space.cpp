@@ -65,8 +65,13 @@ void check_headings(const Choices& choices) {
     for (const AlgorithmText& stage : smoother.stages) {
       const bool keeps_headings = has(vehicle.smoothers, stage.name);
       if (choices.for_vehicle && !keeps_headings) {
+        std::string known = vehicle.smoothers.front();
+        for (std::size_t i = 1; i < vehicle.smoothers.size(); ++i) {
+          known.append(i + 1 < vehicle.smoothers.size() ? ", " : " or ")
+              .append(vehicle.smoothers[i]);
+        }
         throw UsageError{"--smoother: " + stage.name + " keeps no headings; for a vehicle give " +
-                         vehicle.smoothers.front() + " or " + vehicle.smoothers.back()};
+                         known};
       }
       if (choices.for_vehicle || !keeps_headings || stage.name == NoSmoothing::name) continue;
       throw UsageError{"--smoother: " + stage.name + " is for vehicles; give --search " +

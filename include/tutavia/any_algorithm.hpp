@@ -90,7 +90,7 @@ struct AnySmoother {
                                         const VehiclePath& path, const Budget& budget) const {
     if (run_for_vehicle) return run_for_vehicle(space, vehicle, path, budget);
     return fail(PlanError::invalid_option,
-                name + " keeps no headings; use none or vehicle_shortcut");
+                name + " keeps no headings; use none, vehicle_shortcut or continuous_curvature");
   }
 };
 

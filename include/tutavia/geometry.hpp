@@ -10,6 +10,7 @@
 #include "tutavia/geometry/bezier.hpp"
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/clothoid.hpp"
+#include "tutavia/geometry/continuous_drives.hpp"
 #include "tutavia/geometry/curvature.hpp"
 #include "tutavia/geometry/curve.hpp"
 #include "tutavia/geometry/dubins.hpp"

@@ -12,5 +12,6 @@
 #include "tutavia/motion/local_planner_options.hpp"
 #include "tutavia/motion/motion_gate.hpp"
 #include "tutavia/motion/path_follower.hpp"
+#include "tutavia/motion/speed_limits.hpp"
 #include "tutavia/motion/speed_profile.hpp"
 #include "tutavia/motion/timed_elastic_band.hpp"

@@ -162,7 +162,8 @@ class Planner {
     } else {
       return fail(PlanError::invalid_option,
                   std::string(Smooth::name) +
-                      " keeps no headings; use none or vehicle_shortcut (VehicleShortcut)");
+                      " keeps no headings; use none, vehicle_shortcut (VehicleShortcut) or "
+                      "continuous_curvature (ContinuousCurvature)");
     }
   }
 

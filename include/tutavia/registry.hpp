@@ -78,7 +78,7 @@ using Smoothers = AlgorithmList<NoSmoothing, Shortcut, RedundantNodeRemoval, Del
                                 TautString, ClothoidSmoother, HomotopyRefine, StringPull>;
 /// Those that plan headings. Other smoothers keep none, so they stand in lists of their own.
 using VehicleSearches = AlgorithmList<HybridAStar>;
-using VehicleSmoothers = AlgorithmList<VehicleShortcut>;
+using VehicleSmoothers = AlgorithmList<VehicleShortcut, ContinuousCurvature>;
 
 template <class... A, class... B>
 constexpr AlgorithmList<A..., B...> joined(AlgorithmList<A...>, AlgorithmList<B...>) {

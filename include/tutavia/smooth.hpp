@@ -8,6 +8,7 @@
 #include "tutavia/smooth/bezier_smoother.hpp"
 #include "tutavia/smooth/clothoid_smoother.hpp"
 #include "tutavia/smooth/concepts.hpp"
+#include "tutavia/smooth/continuous_curvature.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "tutavia/smooth/homotopy_refine.hpp"
 #include "tutavia/smooth/no_smoothing.hpp"

@@ -280,7 +280,8 @@ TEST_CASE(
       {"--start 2,2,0 --search auto", "--search: auto plans no headings"},
       {"--search hybrid_astar,astar", "--search: astar plans no headings"},
       {"--search hybrid_astar --smoother delta",
-       "--smoother: delta keeps no headings; for a vehicle give none or vehicle_shortcut"},
+       "--smoother: delta keeps no headings; for a vehicle give none, vehicle_shortcut or "
+       "continuous_curvature"},
       {"--reverse --smoother none+bezier", "--smoother: bezier keeps no headings"},
       {"--smoother vehicle_shortcut",
        "--smoother: vehicle_shortcut is for vehicles; give --search hybrid_astar"},
@@ -291,6 +292,8 @@ TEST_CASE(
        "--search hybrid_astar:headings=4: headings must be at least 8"},
       {"--reverse --smoother vehicle_shortcut:places=1",
        "--smoother vehicle_shortcut:places=1: vehicle_shortcut needs"},
+      {"--reverse --smoother vehicle_shortcut+continuous_curvature:max_sharpness=-1",
+       "continuous_curvature needs"},
       {"--search hybrid_astr", "did you mean hybrid_astar?"},
   });
 }

@@ -8,12 +8,15 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
 #include "support/random_tasks.hpp"
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
+#include "tutavia/geometry/continuous_drives.hpp"
+#include "tutavia/geometry/dubins.hpp"
 #include "tutavia/geometry/reeds_shepp.hpp"
 #include "tutavia/smooth/b_spline_smoother.hpp"
 #include "tutavia/smooth/bezier_smoother.hpp"
@@ -400,6 +403,71 @@ TEST_CASE("limits out of range are refused by name, and what cannot be followed"
   Curve cusp;
   cusp.push_back(CubicBezier{{Point(0, 0), Point(1, 1), Point(0, 1), Point(1, 0)}});
   CHECK(SpeedProfile::build(cusp, {}).error().code == PlanError::invalid_input);
+}
+
+TEST_CASE("with a limit on steering the robot slows down on clothoids and stops where arcs begin") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Pose start{}, goal{{6, 5}, 1.5};
+  const SpeedLimits limits{.max_curvature_rate = 0.4};
+  const VehiclePath smooth = ContinuousDrives({2, 0.5}).path(start, goal);
+  for (const double jerk : {infinity, 1.0}) {
+    SpeedLimits with = limits;
+    with.max_jerk = jerk;
+    const auto profile = SpeedProfile::build(smooth.curve, with).value();
+    SpeedProfile::State before = profile.at(0);
+    const double step = 0.01;
+    double slowest = infinity;
+    for (const SpeedProfile::State& state : profile.sample(step)) {
+      if (state.time == 0) continue;
+      const double rate = std::abs(state.curvature - before.curvature) / (state.time - before.time);
+      CHECK(rate <= with.max_curvature_rate * (1 + 1e-9));
+      if (state.time > 2 && state.time < profile.duration() - 2) {
+        slowest = std::min(slowest, state.speed);
+      }
+      before = state;
+    }
+    CHECK(slowest > 0.1);  // it never stops on the way
+  }
+
+  const VehiclePath jumping = dubins_path(start, goal, 2);
+  const auto free = SpeedProfile::build(jumping.curve, {}).value();
+  const auto stopped = SpeedProfile::build(jumping.curve, limits).value();
+  REQUIRE(jumping.gears.size() == 3);
+  double steered = 0.5 / 0.4 + 0.5 / 0.4;  // from the first arc to straight, and to the last one
+  double standing = 0;
+  for (const SpeedProfile::State& state : stopped.sample(0.001)) {
+    if (state.speed == 0) standing += 0.001;
+  }
+  CHECK(standing == Approx(steered).margin(0.02));
+  CHECK(stopped.duration() > free.duration() + steered);
+  // The same with a limit of jerk.
+  SpeedLimits with = limits;
+  with.max_jerk = 1;
+  CHECK(SpeedProfile::build(jumping.curve, with)->duration() > stopped.duration());
+}
+
+TEST_CASE("at a cusp the wheels turn while the vehicle stands") {
+  // A left turn forwards, then one backwards with the same wheels, and one with the others.
+  VehiclePath path;
+  const Arc left = detail::turn_from({}, {Steering::left, 1}, 2);
+  path.push_back(left, Gear::forward);
+  const SpeedLimits limits{.max_curvature_rate = 0.25};
+  const double alone = SpeedProfile::build(path.curve, limits)->duration();
+  for (const auto& [steering, waiting] : {std::pair{Steering::left, 0.0}, {Steering::right, 4.0}}) {
+    VehiclePath both = path;
+    both.push_back(detail::turn_from(path.end(), {steering, -1}, 2), Gear::reverse);
+    CHECK(SpeedProfile::build(both.curve, limits)->duration() == Approx(2 * alone + waiting));
+  }
+}
+
+TEST_CASE("a limit on steering is refused for pieces whose curvature has no known change") {
+  Curve curve;
+  curve.push_back(QuadraticBezier{{Point(0, 0), Point(1, 0), Point(1, 1)}});
+  const auto profile = SpeedProfile::build(curve, {.max_curvature_rate = 1});
+  REQUIRE_FALSE(profile);
+  CHECK(profile.error().code == PlanError::invalid_option);
+  CHECK_FALSE(SpeedProfile::build(line(1), {.max_curvature_rate = 0}));
+  CHECK(SpeedProfile::build(line(1), {.max_curvature_rate = 1e-3}));
 }
 
 }  // namespace

@@ -4,37 +4,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "tutavia/core/assert.hpp"
 #include "tutavia/geometry/curve.hpp"
+#include "tutavia/motion/profile/curve_limits.hpp"
 #include "tutavia/motion/profile/jerk_limited.hpp"
 #include "tutavia/motion/profile/trapezoidal.hpp"
+#include "tutavia/motion/speed_limits.hpp"
 #include "tutavia/plan/failure.hpp"
 
 /// \file
 /// SpeedProfile: the speed along a curve within limits.
 
 namespace tutavia {
-
-/// Kinematic limits of a robot. All but the speeds at the ends must be positive; all but the jerk
-/// must be finite.
-struct SpeedLimits {
-  double max_speed = 1;           ///< [m/s]
-  double max_acceleration = 0.5;  ///< along the curve [m/s^2]
-  double max_deceleration = 0.5;  ///< along the curve, as a positive number [m/s^2]
-  double max_lateral_acceleration =
-      0.5;  ///< across the curve: speed squared times curvature [m/s^2]
-  /// Limit on the change of the acceleration along the curve [m/s^3]; infinity allows jumps.
-  double max_jerk = std::numeric_limits<double>::infinity();
-  double start_speed = 0;  ///< [m/s]
-  double end_speed = 0;    ///< upper bound at the end [m/s]
-};
 
 /// A curve with a speed profile. The limits hold everywhere on the curve, not only at samples.
 ///
@@ -50,6 +36,10 @@ struct SpeedLimits {
 /// limit adds (a + b) / max_jerk, twice as much as for the optimum, and the robot slows down
 /// somewhat before and after bends. O(n log n) for n pieces.
 ///
+/// With a finite `max_curvature_rate` the robot drives along a clothoid only as fast as it can
+/// steer. Where the curvature jumps it stops, and stands until its wheels have turned; so they do
+/// at a cusp, where a vehicle changes its gear. For a VehiclePath, give its curve.
+///
 /// Source: Bobrow, Dubowsky and Gibson 1985, "Time-optimal control of robotic manipulators along
 /// specified paths", for accelerations that do not depend on the position.
 ///
@@ -61,7 +51,7 @@ class SpeedProfile {
     double time = 0;  ///< [s]
     double s = 0;     ///< arc length from the start [m]
     Point position = Point::Zero();
-    double heading = 0;       ///< [rad]
+    double heading = 0;       ///< of the motion [rad]
     double curvature = 0;     ///< 1/m, left turns positive
     double speed = 0;         ///< [m/s]
     double acceleration = 0;  ///< along the curve [m/s^2]
@@ -87,23 +77,10 @@ class SpeedProfile {
     detail::JerkLimitedProfile drive;
   };
 
-  static Expected<void, Failure> check(const SpeedLimits& limits);
-  static std::vector<detail::SpeedInterval> intervals_of(const Curve& curve,
-                                                         const SpeedLimits& limits);
-  /// The squared speed limits at the interval boundaries.
-  static std::vector<double> boundary_speed_limits(
-      const Curve& curve, const SpeedLimits& limits,
-      const std::vector<detail::SpeedInterval>& intervals);
-  /// False if the robot cannot brake from the start speed.
-  bool add_legs(std::span<const detail::SpeedInterval> intervals,
-                std::span<const double> boundary_speed_limits, const SpeedLimits& limits);
+  /// Drives from stop to stop. False if the robot cannot brake from the start speed.
+  bool drive(const detail::CurveLimits& along, std::span<const double> squares,
+             const SpeedLimits& limits);
   detail::ProfileState state_at(double time) const;
-
-  /// Pieces along which the curvature changes are cut into several intervals.
-  template <class P>
-  static constexpr std::size_t parts_of(const P&) {
-    return std::is_same_v<P, Segment> || std::is_same_v<P, Arc> ? 1 : 8;
-  }
 
   Curve curve_;
   double duration_ = 0;
@@ -111,79 +88,21 @@ class SpeedProfile {
   std::vector<Leg> legs_;              // with a jerk limit
 };
 
-inline Expected<void, Failure> SpeedProfile::check(const SpeedLimits& limits) {
-  const auto is_positive = [](double x) { return x > 0 && std::isfinite(x); };
-  if (!is_positive(limits.max_speed))
-    return fail(PlanError::invalid_option, "max_speed must be positive and finite");
-  if (!is_positive(limits.max_acceleration))
-    return fail(PlanError::invalid_option, "max_acceleration must be positive and finite");
-  if (!is_positive(limits.max_deceleration))
-    return fail(PlanError::invalid_option, "max_deceleration must be positive and finite");
-  if (!is_positive(limits.max_lateral_acceleration))
-    return fail(PlanError::invalid_option, "max_lateral_acceleration must be positive and finite");
-  if (!(limits.max_jerk > 0)) return fail(PlanError::invalid_option, "max_jerk must be positive");
-  if (!(0 <= limits.start_speed && limits.start_speed <= limits.max_speed)) {
-    return fail(PlanError::invalid_option, "start_speed must lie between 0 and max_speed");
-  }
-  if (!(limits.end_speed >= 0))
-    return fail(PlanError::invalid_option, "end_speed must not be negative");
-  return {};
-}
-
-inline std::vector<detail::SpeedInterval> SpeedProfile::intervals_of(const Curve& curve,
-                                                                     const SpeedLimits& limits) {
-  std::vector<detail::SpeedInterval> result;
-  const auto add = [&](double length, double curvature) {
-    result.push_back({length, std::min(limits.max_speed * limits.max_speed,
-                                       limits.max_lateral_acceleration / curvature)});
-  };
-  for (const Piece& piece : curve.pieces()) {
-    piece.visit([&](const auto& p) {
-      const std::size_t parts = parts_of(p);
-      if (parts == 1) return add(p.length(), max_curvature(p));
-      for (std::size_t i = 0; i < parts; ++i) {
-        const auto part = p.part(double(i) / double(parts), double(i + 1) / double(parts));
-        add(part.length(), max_curvature(part));
-      }
-    });
-  }
-  return result;
-}
-
-inline std::vector<double> SpeedProfile::boundary_speed_limits(
-    const Curve& curve, const SpeedLimits& limits,
-    const std::vector<detail::SpeedInterval>& intervals) {
-  std::vector<double> squares = tutavia::detail::boundary_speed_limits(intervals);
-  squares.back() = std::min(squares.back(), limits.end_speed * limits.end_speed);
-  Point before = Point::Zero();
-  std::size_t at = 0;
-  for (const Piece& piece : curve.pieces()) {
-    const auto direction = [&](bool end) {
-      return piece.visit(
-          [&](const auto& p) -> Point { return end ? p.end_direction() : p.start_direction(); });
-    };
-    if (!detail::is_zero(direction(false))) {
-      const bool is_corner =
-          !detail::is_zero(before) && std::abs(turn_angle(before, direction(false))) > 1e-6;
-      if (is_corner) squares[at] = 0;
-      before = direction(true);
-    }
-    at += piece.visit([](const auto& p) { return parts_of(p); });
-  }
-  return squares;
-}
-
 inline Expected<SpeedProfile, Failure> SpeedProfile::build(Curve curve, const SpeedLimits& limits) {
-  if (auto valid = check(limits); !valid) return std::move(valid).unexpected();
+  if (auto valid = validate(limits); !valid) return std::move(valid).unexpected();
   if (curve.empty()) return fail(PlanError::invalid_input, "the curve is empty");
-  const std::vector<detail::SpeedInterval> intervals = intervals_of(curve, limits);
-  for (const detail::SpeedInterval& interval : intervals) {
+  const auto along = detail::CurveLimits::of(curve, limits);
+  if (!along.is_known) {
+    return fail(PlanError::invalid_option,
+                "max_curvature_rate is for curves of segments, arcs and clothoids");
+  }
+  for (const detail::SpeedInterval& interval : along.intervals) {
     if (interval.length > 0 && !(interval.limit > 0)) {
       return fail(PlanError::invalid_input, "the curve has a cusp, where nothing can follow it");
     }
   }
-  const std::vector<double> most = boundary_speed_limits(curve, limits, intervals);
-  std::vector<double> squares = detail::backward_pass(intervals, most, limits.max_deceleration);
+  std::vector<double> squares =
+      detail::backward_pass(along.intervals, along.squares, limits.max_deceleration);
   const double start = limits.start_speed * limits.start_speed;
   if (start > squares[0] * (1 + 1e-12)) {
     return fail(PlanError::invalid_option, "start_speed is too high to brake from: at most " +
@@ -191,10 +110,7 @@ inline Expected<SpeedProfile, Failure> SpeedProfile::build(Curve curve, const Sp
   }
   squares[0] = std::min(start, squares[0]);
   SpeedProfile profile;
-  if (std::isinf(limits.max_jerk)) {
-    profile.phases_.drive(intervals, squares, limits.max_acceleration, limits.max_deceleration);
-    profile.duration_ = profile.phases_.end_time();
-  } else if (!profile.add_legs(intervals, most, limits)) {
+  if (!profile.drive(along, squares, limits)) {
     return fail(PlanError::invalid_option,
                 "start_speed is too high to brake from with so little jerk");
   }
@@ -202,24 +118,34 @@ inline Expected<SpeedProfile, Failure> SpeedProfile::build(Curve curve, const Sp
   return profile;
 }
 
-inline bool SpeedProfile::add_legs(std::span<const detail::SpeedInterval> intervals,
-                                   std::span<const double> boundary_speed_limits,
-                                   const SpeedLimits& limits) {
+inline bool SpeedProfile::drive(const detail::CurveLimits& along, std::span<const double> squares,
+                                const SpeedLimits& limits) {
+  const std::span<const detail::SpeedInterval> intervals = along.intervals;
   double s = 0, length = 0;
   for (std::size_t first = 0, i = 0; i < intervals.size(); ++i) {
     length += intervals[i].length;
     const bool is_last = i + 1 == intervals.size();
-    if (!is_last && boundary_speed_limits[i + 1] > 0) continue;
-    if (length > 0) {
-      auto drive = detail::JerkLimitedProfile::over(intervals.subspan(first, i + 1 - first), s,
-                                                    {.max_acceleration = limits.max_acceleration,
-                                                     .max_deceleration = limits.max_deceleration,
-                                                     .max_jerk = limits.max_jerk,
-                                                     .start_speed = s == 0 ? limits.start_speed : 0,
-                                                     .end_speed = is_last ? limits.end_speed : 0});
-      if (!drive) return false;
-      legs_.push_back({duration_, std::move(*drive)});
-      duration_ += legs_.back().drive.duration();
+    if (!is_last && along.squares[i + 1] > 0) continue;
+    const auto leg = intervals.subspan(first, i + 1 - first);
+    if (std::isinf(limits.max_jerk)) {
+      phases_.drive(leg, squares.subspan(first, leg.size() + 1), limits.max_acceleration,
+                    limits.max_deceleration);
+      phases_.keep(0, along.waits[i + 1]);
+      duration_ = phases_.end_time();
+    } else {
+      if (length > 0) {
+        auto drive =
+            detail::JerkLimitedProfile::over(leg, s,
+                                             {.max_acceleration = limits.max_acceleration,
+                                              .max_deceleration = limits.max_deceleration,
+                                              .max_jerk = limits.max_jerk,
+                                              .start_speed = s == 0 ? limits.start_speed : 0,
+                                              .end_speed = is_last ? limits.end_speed : 0});
+        if (!drive) return false;
+        legs_.push_back({duration_, std::move(*drive)});
+        duration_ += legs_.back().drive.duration();
+      }
+      duration_ += along.waits[i + 1];
     }
     first = i + 1;
     s += length;

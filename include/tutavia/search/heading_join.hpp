@@ -93,11 +93,12 @@ struct HeadingJoin {
     const Vehicle& vehicle = hybrid.vehicle;
     const detail::DrivingCosts costs{1, hybrid.reverse_weight, hybrid.cusp_cost};
     const std::vector<Pose> poses = places_on(route.curve, query);
-    detail::DriveChain chain(vehicle, costs, poses);
+    const detail::CircularDrives drives(vehicle);
+    detail::DriveChain chain(drives, costs, poses);
     detail::FootprintTest footprint(vehicle);
     VehiclePath path;
-    const auto no_way = [](std::size_t) { return std::optional<detail::DriveChain::KnownWay>(); };
-    for (const auto& step : chain.cheapest(space, footprint, no_way, query.budget)) {
+    const auto no_path = [](std::size_t) { return std::optional<detail::KnownPath>(); };
+    for (const auto& step : chain.cheapest(space, footprint, no_path, query.budget)) {
       path.append(chain.path(*step.drive, step.from, step.to));
     }
     if (path.empty()) return std::nullopt;

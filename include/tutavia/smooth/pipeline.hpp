@@ -45,16 +45,34 @@ class Pipeline {
 
   template <detail::SmoothableSpace<Stages...> S>
   Expected<Curve, Failure> smooth(const S& space, const Curve& input, const Budget& budget) const {
-    Expected<Curve, Failure> result = input;
+    return in_sequence(input, [&](const auto& stage, const Curve& curve) {
+      return stage.smooth(space, curve, budget);
+    });
+  }
+
+  /// The same for the path of a vehicle, if every stage smooths such paths.
+  template <detail::SmoothableSpace<Stages...> S>
+  requires(VehicleSmoother<Stages, S>&&...) Expected<VehiclePath, Failure> smooth(
+      const S& space, const Vehicle& vehicle, const VehiclePath& input, const Budget& budget)
+  const {
+    return in_sequence(input, [&](const auto& stage, const VehiclePath& path) {
+      return stage.smooth(space, vehicle, path, budget);
+    });
+  }
+
+ private:
+  /// Calls `smooth(stage, path)` for every stage with the result of the one before.
+  template <class Path, class Smooth>
+  Expected<Path, Failure> in_sequence(const Path& input, const Smooth& smooth) const {
+    Expected<Path, Failure> result = input;
     const auto run = [&](const auto& stage) {
-      result = stage.smooth(space, *result, budget);
+      result = smooth(stage, *result);
       return result.has_value();
     };
     std::apply([&](const auto&... stages) { static_cast<void>((run(stages) && ...)); }, stages_);
     return result;
   }
 
- private:
   /// The names of all stages with a plus between them.
   static constexpr auto joined_names() {
     std::array<char, (std::string_view(Stages::name).size() + ...) + sizeof...(Stages) - 1> text{};

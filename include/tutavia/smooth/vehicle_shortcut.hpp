@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,6 +15,7 @@
 #include "tutavia/search/vehicle/drive_chain.hpp"
 #include "tutavia/search/vehicle/driving_costs.hpp"
 #include "tutavia/smooth/concepts.hpp"
+#include "tutavia/smooth/vehicle/path_parts.hpp"
 #include "tutavia/space/concepts.hpp"
 
 /// \file
@@ -81,12 +80,6 @@ struct VehicleShortcut {
   double cost_of(const VehiclePath& path) const { return detail::cost_of(path, costs()); }
 
  private:
-  /// A part of a piece, between parameters.
-  struct Part {
-    std::size_t piece;
-    double from, to;
-  };
-
   detail::DrivingCosts costs() const { return {1, reverse_weight, cusp_cost}; }
 
   /// The cheapest chain of parts of the path and drives between their ends. Empty if the budget
@@ -95,20 +88,16 @@ struct VehicleShortcut {
   std::optional<VehiclePath> with_shortcuts(const S& space, const Vehicle& vehicle,
                                             detail::FootprintTest& footprint,
                                             const VehiclePath& path, const Budget& budget) const {
-    const std::vector<Part> parts = cut(path);  // part i ends at place i
+    const auto parts = detail::cut(path, path.length() / places);  // part i ends at place i
     std::vector<Pose> ends;
     ends.reserve(parts.size());
-    for (const Part& part : parts) ends.push_back(path.pose(part.piece, part.to));
-    detail::DriveChain chain(vehicle, costs(), ends);
+    for (const detail::PathPart& part : parts) ends.push_back(path.pose(part.piece, part.to));
+    const detail::CircularDrives drives(vehicle);
+    detail::DriveChain chain(drives, costs(), ends);
     const auto way = chain.cheapest(
         space, footprint,
-        [&](std::size_t i) -> std::optional<detail::DriveChain::KnownWay> {
-          const auto& [piece, from, to] = parts[i];
-          const Gear gear = path.gears[piece];
-          const double length =
-              path.curve.length_before(piece + 1) - path.curve.length_before(piece);
-          const double weight = gear == Gear::reverse ? reverse_weight : 1;
-          return detail::DriveChain::KnownWay{gear, weight * (to - from) * length};
+        [&](std::size_t i) -> std::optional<detail::KnownPath> {
+          return detail::known_path(path, parts[i], costs());
         },
         budget);
     if (way.empty()) return std::nullopt;
@@ -118,43 +107,14 @@ struct VehicleShortcut {
         result.append(chain.path(*way[i].drive, way[i].from, way[i].to));
         continue;
       }
-      Part part = parts[way[i].to];  // parts of one piece are joined again
+      detail::PathPart part = parts[way[i].to];  // parts of one piece are joined again
       while (i + 1 < way.size() && !way[i + 1].drive && parts[way[i + 1].to].piece == part.piece) {
         part.to = parts[way[++i].to].to;
       }
-      add_part(path, part, result);
+      detail::append_part(path, part, result);
     }
     if (!footprint.is_free(space, result)) return std::nullopt;
     return result;
-  }
-
-  /// The parts between neighbouring candidates, after an empty part at the start.
-  std::vector<Part> cut(const VehiclePath& path) const {
-    const double spacing = path.length() / places;
-    std::vector<Part> parts{{0, 0, 0}};
-    for (std::size_t i = 0; i < path.gears.size(); ++i) {
-      const double length = path.curve.length_before(i + 1) - path.curve.length_before(i);
-      const int count =
-          length > 0 ? std::max(1, static_cast<int>(std::ceil(length / spacing - 1e-6))) : 1;
-      for (int k = 1; k <= count; ++k) {
-        parts.push_back({i, (k - 1.0) / count, static_cast<double>(k) / count});
-      }
-    }
-    return parts;
-  }
-
-  static void add_part(const VehiclePath& path, const Part& part, VehiclePath& result) {
-    const Gear gear = path.gears[part.piece];
-    path.curve.pieces()[part.piece].visit([&](const auto& piece) {
-      if (part.from == 0 && part.to == 1) return result.push_back(piece, gear);
-      const auto shorter = piece.part(part.from, part.to);
-      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(piece)>, Segment>) {
-        const double direction = detail::travel_direction(piece, 0);
-        result.push_back(detail::straight_piece(shorter.a, shorter.b, direction), gear);
-      } else {
-        result.push_back(shorter, gear);
-      }
-    });
   }
 };
 

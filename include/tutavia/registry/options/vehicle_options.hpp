@@ -6,6 +6,7 @@
 #include "tutavia/plan/vehicle.hpp"
 #include "tutavia/registry/options/option_field.hpp"
 #include "tutavia/search/hybrid_astar.hpp"
+#include "tutavia/smooth/continuous_curvature.hpp"
 #include "tutavia/smooth/vehicle_shortcut.hpp"
 
 /// \file
@@ -17,6 +18,8 @@ namespace tutavia::detail {
 struct VehicleSentences {
   static constexpr std::string_view reverse_weight = "cost of a metre in reverse, at least 1";
   static constexpr std::string_view cusp_cost = "cost of a change of gear";
+  static constexpr std::string_view places =
+      "between how many places drives are tried, from 2 to 1000";
 };
 
 template <>
@@ -50,8 +53,21 @@ struct OptionTable<VehicleShortcut> {
       field<&VehicleShortcut::reverse_weight>("reverse_weight", "",
                                               VehicleSentences::reverse_weight),
       field<&VehicleShortcut::cusp_cost>("cusp_cost", "m", VehicleSentences::cusp_cost),
-      field<&VehicleShortcut::places>("places", "",
-                                      "between how many places drives are tried, from 2 to 1000"));
+      field<&VehicleShortcut::places>("places", "", VehicleSentences::places));
+};
+
+template <>
+struct OptionTable<ContinuousCurvature> {
+  static constexpr std::string_view sentence =
+      "Gives the path of a vehicle a curvature that never jumps";
+  static constexpr auto fields = option_fields<ContinuousCurvature>(
+      field<&ContinuousCurvature::max_sharpness>(
+          "max_sharpness", "1/m^2",
+          "change of curvature per metre; 0: one over the radius squared"),
+      field<&ContinuousCurvature::reverse_weight>("reverse_weight", "",
+                                                  VehicleSentences::reverse_weight),
+      field<&ContinuousCurvature::cusp_cost>("cusp_cost", "m", VehicleSentences::cusp_cost),
+      field<&ContinuousCurvature::places>("places", "", VehicleSentences::places));
 };
 
 }  // namespace tutavia::detail

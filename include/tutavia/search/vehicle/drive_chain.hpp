@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -22,33 +23,59 @@
 
 namespace tutavia::detail {
 
+/// The gear and the cost [m] of a known path from the pose before.
+struct KnownPath {
+  Gear gear;
+  double cost;
+};
+
+/// Shortest drives at a vehicle's turning radius: of Reeds and Shepp, or of Dubins without reverse.
+class CircularDrives {
+ public:
+  using Word = SteeringWord;
+
+  explicit CircularDrives(const Vehicle& vehicle)
+      : radius_(vehicle.min_turning_radius), reverse_(vehicle.reverse) {}
+
+  Word word(const Pose& from, const Pose& to) const {
+    return (reverse_ ? reeds_shepp_word(from, to, radius_) : dubins_word(from, to, radius_))
+        .without_rounding();
+  }
+  /// The length of a move [m].
+  double length(const SteeringMove& move) const { return radius_ * std::abs(move.length); }
+  VehiclePath path(const Word& word, const Pose& from, const Pose& to) const {
+    return vehicle_path(word, from, to, radius_);
+  }
+
+ private:
+  double radius_;
+  bool reverse_;
+};
+
 /// The cheapest path from the first of several poses to the last. It consists of shortest drives
-/// between any two of them (Reeds and Shepp, or Dubins without reverse) that are proved free, and
-/// of known paths between neighbours. Dynamic programming over poses and gears finds it.
+/// between any two of them that are proved free (CircularDrives or ContinuousDrives), and of known
+/// paths between neighbours. Dynamic programming over poses and gears finds it.
+template <class Drives>
 class DriveChain {
  public:
-  /// A known path from the pose before.
-  struct KnownWay {
-    Gear gear;
-    double cost;  ///< [m]
-  };
+  using Word = typename Drives::Word;
   /// A step of the chain: a drive between two poses, or the known path between neighbours.
   struct Step {
     std::size_t from, to;
-    std::optional<SteeringWord> drive;
+    std::optional<Word> drive;
   };
 
-  DriveChain(const Vehicle& vehicle, const DrivingCosts& costs, std::span<const Pose> places)
-      : vehicle_(vehicle), costs_(costs), places_(places), ways_(places.size()) {}
+  DriveChain(const Drives& drives, const DrivingCosts& costs, std::span<const Pose> places)
+      : drives_(drives), costs_(costs), places_(places), ways_(places.size()) {}
 
   /// The chain, from the first place on; empty if there is none, or the budget ends. `known(i)` is
-  /// the known way to place i, if any.
+  /// the known path to place i, if any.
   template <ClearanceSpace S, class Known>
   std::vector<Step> cheapest(const S& space, FootprintTest& footprint, const Known& known,
                              const Budget& budget) {
     for (std::size_t to = 1; to < places_.size(); ++to) {
       if (budget.exceeded()) return {};
-      if (const std::optional<KnownWay> way = known(to)) take(to, *way);
+      if (const std::optional<KnownPath> path = known(to)) take(to, *path);
       collect(to);
       for (const Candidate& c : candidates_) {
         Way& way = ways_[to][c.gear];
@@ -61,8 +88,8 @@ class DriveChain {
     return steps();
   }
 
-  VehiclePath path(const SteeringWord& drive, std::size_t from, std::size_t to) const {
-    return vehicle_path(drive, places_[from], places_[to], vehicle_.min_turning_radius);
+  VehiclePath path(const Word& drive, std::size_t from, std::size_t to) const {
+    return drives_.path(drive, places_[from], places_[to]);
   }
 
  private:
@@ -70,14 +97,26 @@ class DriveChain {
   struct Way {
     double cost = std::numeric_limits<double>::infinity();
     std::size_t from = 0, gear_before = 0;
-    std::optional<SteeringWord> drive{};  // empty: the known way
+    std::optional<Word> drive{};  // empty: the known path
   };
   /// A drive that would be cheaper, if it is free.
   struct Candidate {
     double cost;
     std::size_t from, gear_before, gear;
-    SteeringWord drive;
+    Word drive;
   };
+
+  /// The cost of a drive [m].
+  double cost_of(const Word& drive) const {
+    double cost = 0;
+    for (std::size_t i = 0; i < drive.size; ++i) {
+      const Gear gear = gear_of(drive.moves[i].length);
+      if (i > 0 && gear != gear_of(drive.moves[i - 1].length)) cost += costs_.cusp;
+      cost += drives_.length(drive.moves[i]) *
+              (gear == Gear::reverse ? costs_.reverse : costs_.forward);
+    }
+    return cost;
+  }
 
   static std::size_t number(Gear gear) { return gear == Gear::forward ? 0 : 1; }
 
@@ -89,7 +128,7 @@ class DriveChain {
     return place > 0 && before != number(gear) ? costs_.cusp : 0;
   }
 
-  void take(std::size_t to, const KnownWay& known) {
+  void take(std::size_t to, const KnownPath& known) {
     for (std::size_t before = 0; before < 2; ++before) {
       const double cost = cost_at(to - 1, before) + change(to - 1, before, known.gear) + known.cost;
       Way& way = ways_[to][number(known.gear)];
@@ -100,16 +139,12 @@ class DriveChain {
   /// Collects the drives to a place from all earlier ones, the cheapest first.
   void collect(std::size_t to) {
     candidates_.clear();
-    const double radius = vehicle_.min_turning_radius;
     for (std::size_t from = 0; from < to; ++from) {
-      const SteeringWord drive =
-          (vehicle_.reverse ? reeds_shepp_word(places_[from], places_[to], radius)
-                            : dubins_word(places_[from], places_[to], radius))
-              .without_rounding();
+      const Word drive = drives_.word(places_[from], places_[to]);
       if (drive.size == 0) continue;
       const Gear first = gear_of(drive.moves[0].length);
       const std::size_t gear = number(gear_of(drive.moves[drive.size - 1].length));
-      const double cost = cost_of(drive, radius, costs_, std::nullopt);
+      const double cost = cost_of(drive);
       for (std::size_t before = 0; before < 2; ++before) {
         const double total = cost_at(from, before) + change(from, before, first) + cost;
         if (total < ways_[to][gear].cost * (1 - 1e-9)) {
@@ -137,7 +172,7 @@ class DriveChain {
     return chain;
   }
 
-  const Vehicle& vehicle_;
+  const Drives& drives_;
   DrivingCosts costs_;
   std::span<const Pose> places_;
   std::vector<std::array<Way, 2>> ways_;  // by the gear in which a place is reached

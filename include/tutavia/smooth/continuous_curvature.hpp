@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tutavia/certify/certify_vehicle.hpp"
+#include "tutavia/core/budget.hpp"
+#include "tutavia/geometry/continuous_drives.hpp"
+#include "tutavia/geometry/curvature.hpp"
+#include "tutavia/plan/failure.hpp"
+#include "tutavia/plan/vehicle.hpp"
+#include "tutavia/search/vehicle/drive_chain.hpp"
+#include "tutavia/search/vehicle/driving_costs.hpp"
+#include "tutavia/smooth/concepts.hpp"
+#include "tutavia/smooth/vehicle/path_parts.hpp"
+#include "tutavia/space/concepts.hpp"
+
+/// \file
+/// ContinuousCurvature: gives a vehicle's path a curvature that never jumps.
+
+namespace tutavia {
+
+/// Replaces a vehicle's path by drives of continuous curvature (see ContinuousDrives), each proved
+/// free for the whole footprint.
+///
+/// The candidates are the joints of the pieces and up to `places` poses at equal steps of arc
+/// length. Dynamic programming finds the cheapest chain of drives between any two of them; straight
+/// parts of the path may stay. The chain is then improved in the same way, between the poses on it
+/// at which the wheels stand straight, while that saves more than a thousandth.
+///
+/// Guarantees: the result keeps the ends, the headings there, the turning radius and the gears that
+/// the vehicle has; its curvature is continuous, changes by at most `max_sharpness`, and is 0 at
+/// the ends and at cusps. Turns take more room than at the turning radius alone, so the result may
+/// be longer and have more cusps than the path, or there is none (`not_proved`). A vehicle that
+/// turns on the spot keeps its path.
+///
+/// Errors: `invalid_option` for a sharpness that is negative or not finite, a weight below 1, a
+/// negative cusp_cost and less than 2 or more than 1000 places; `not_proved`; those of the budget
+/// while there is no chain, otherwise the best one so far is returned.
+///
+/// Example: examples/car.cpp.
+struct ContinuousCurvature {
+  static constexpr std::string_view name = "continuous_curvature";
+
+  /// Largest change of the curvature with arc length [1/m^2]; 0: to full lock within a turning
+  /// radius, 1 / min_turning_radius^2.
+  double max_sharpness = 0;
+  double reverse_weight = 1.5;  ///< a metre in reverse costs so much
+  double cusp_cost = 1;         ///< a change of gear costs so much [m]
+  int places = 40;
+
+  template <ClearanceSpace S>
+  Expected<VehiclePath, Failure> smooth(const S& space, const Vehicle& vehicle,
+                                        const VehiclePath& path, const Budget& budget) const {
+    if (!(max_sharpness >= 0) || !std::isfinite(max_sharpness) || !(reverse_weight >= 1) ||
+        !std::isfinite(reverse_weight) || !(cusp_cost >= 0) || !std::isfinite(cusp_cost) ||
+        places < 2 || places > 1000) {
+      return fail(PlanError::invalid_option,
+                  "continuous_curvature needs a finite max_sharpness and cusp_cost of 0 or more, a "
+                  "finite reverse_weight of 1 or more and 2 to 1000 places");
+    }
+    const double radius = vehicle.min_turning_radius;
+    if (!(radius > 0) || path.empty()) return path;
+    const SteeringLimits limits{radius, max_sharpness > 0 ? max_sharpness : 1 / (radius * radius)};
+    const ContinuousDrives drives(limits, vehicle.reverse);
+    detail::FootprintTest footprint(vehicle);
+    std::optional<VehiclePath> result = chained(space, footprint, drives, limits, path, budget);
+    if (!result) {
+      if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
+      return fail(PlanError::not_proved,
+                  "no drives of continuous curvature along this path are free; more `places`, a "
+                  "larger `max_sharpness` or a search with a larger turning radius may help");
+    }
+    double cost = detail::cost_of(*result, costs());
+    while (!budget.exceeded()) {
+      auto better = chained(space, footprint, drives, limits, *result, budget);
+      if (!better) break;
+      const double reached = detail::cost_of(*better, costs());
+      if (!(reached < cost)) break;
+      const bool is_little = reached > cost * (1 - 1e-3);
+      result = std::move(better);
+      cost = reached;
+      if (is_little) break;
+    }
+    return std::move(*result);
+  }
+
+  /// A curve without gears is no path of a vehicle: `invalid_option`.
+  template <class S>
+  Expected<Curve, Failure> smooth(const S&, const Curve&, const Budget&) const {
+    return fail(PlanError::invalid_option,
+                "continuous_curvature smooths routes with headings; search with hybrid_astar");
+  }
+
+ private:
+  /// The path between two neighbouring candidates.
+  struct Stretch {
+    detail::PathPart part;
+    std::size_t last;  ///< its last piece; if not that of `part`, it is all pieces up to that
+    bool may_stay;     ///< whether its curvature is continuous, and 0 at both ends
+  };
+
+  detail::DrivingCosts costs() const { return {1, reverse_weight, cusp_cost}; }
+
+  /// The cheapest chain of drives and of stretches that may stay. Empty if there is none, if the
+  /// budget ends, or if rounding spoils the stretches.
+  template <ClearanceSpace S>
+  std::optional<VehiclePath> chained(const S& space, detail::FootprintTest& footprint,
+                                     const ContinuousDrives& drives, const SteeringLimits& limits,
+                                     const VehiclePath& path, const Budget& budget) const {
+    const std::vector<Stretch> stretches = cut(path, limits);  // number i ends at place i
+    std::vector<Pose> ends;
+    ends.reserve(stretches.size());
+    for (const Stretch& stretch : stretches) {
+      ends.push_back(path.pose(stretch.last, stretch.part.to));
+    }
+    detail::DriveChain chain(drives, costs(), ends);
+    const auto way = chain.cheapest(
+        space, footprint,
+        [&](std::size_t i) -> std::optional<detail::KnownPath> {
+          const Stretch& stretch = stretches[i];
+          if (!stretch.may_stay) return std::nullopt;
+          detail::KnownPath known = detail::known_path(path, stretch.part, costs());
+          for (std::size_t k = stretch.part.piece + 1; k <= stretch.last; ++k) {
+            known.cost += detail::known_path(path, {k, 0, 1}, costs()).cost;
+          }
+          return known;
+        },
+        budget);
+    if (way.empty()) return std::nullopt;
+    VehiclePath result;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      if (way[i].drive) {
+        result.append(chain.path(*way[i].drive, way[i].from, way[i].to));
+        continue;
+      }
+      Stretch stretch = stretches[way[i].to];  // parts of one piece are joined again
+      while (i + 1 < way.size() && !way[i + 1].drive &&
+             stretches[way[i + 1].to].part.piece == stretch.part.piece) {
+        stretch.part.to = stretches[way[++i].to].part.to;
+      }
+      detail::append_part(path, stretch.part, result);
+      for (std::size_t k = stretch.part.piece + 1; k <= stretch.last; ++k) {
+        detail::append_part(path, {k, 0, 1}, result);
+      }
+    }
+    if (!footprint.is_free(space, result)) return std::nullopt;
+    return result;
+  }
+
+  /// The stretches between neighbouring candidates, after an empty one at the start.
+  std::vector<Stretch> cut(const VehiclePath& path, const SteeringLimits& limits) const {
+    std::vector<Stretch> stretches{{{0, 0, 0}, 0, false}};
+    std::vector<detail::PathPart> parts;
+    for (std::size_t i = 0; i < path.gears.size(); ++i) {
+      const std::optional<std::size_t> last = end_of_turn(path, i, limits);
+      if (last && !is_straight(path.curve.pieces()[i])) {
+        stretches.push_back({{i, 0, 1}, *last, true});
+        i = *last;
+        continue;
+      }
+      parts.clear();
+      detail::cut_piece(path, i, path.length() / places, parts);
+      for (const detail::PathPart& part : parts) stretches.push_back({part, i, last.has_value()});
+    }
+    return stretches;
+  }
+
+  static bool is_straight(const Piece& piece) {
+    return piece.visit([](const auto& p) { return max_curvature(p); }) == 0;
+  }
+
+  /// The last of the pieces from `first` on between which the curvature does not jump, from 0 to 0
+  /// in one gear; none if the curvature jumps before, or changes too sharply.
+  static std::optional<std::size_t> end_of_turn(const VehiclePath& path, std::size_t first,
+                                                const SteeringLimits& limits) {
+    const double rounding = 1e-12 / limits.min_turning_radius;
+    double before = 0;
+    for (std::size_t i = first; i < path.gears.size(); ++i) {
+      const Piece& piece = path.curve.pieces()[i];
+      if (path.gears[i] != path.gears[first]) return std::nullopt;
+      if (const Clothoid* clothoid = piece.get_if<Clothoid>();
+          clothoid != nullptr &&
+          std::abs(clothoid->sharpness) > limits.max_sharpness * (1 + 1e-12)) {
+        return std::nullopt;
+      }
+      const auto at = [&](double t) {
+        return piece.visit([&](const auto& p) { return curvature(p, t); });
+      };
+      if (!(std::abs(at(0) - before) <= rounding)) return std::nullopt;
+      before = at(1);
+      if (std::abs(before) <= rounding) return i;
+    }
+    return std::nullopt;
+  }
+};
+
+}  // namespace tutavia
