@@ -35,4 +35,20 @@ int main() {
     std::cout << "  x " << pose.position.x() << ", y " << pose.position.y() << ", heading "
               << pose.heading << '\n';
   }
+
+  // With full lock after 2 m of way the wheels turn while the car rolls, never while it stands.
+  Planner steady{HybridAStar{.vehicle = car}, ContinuousCurvature{.max_sharpness = 0.1}};
+  const auto smooth = steady.plan(space, {.start = {-8, 1.5},
+                                          .goal = {0, -4.6},
+                                          .start_heading = 0,
+                                          .goal_heading = std::numbers::pi / 2});
+  if (!smooth || smooth->fell_back) {
+    std::cerr << "no path of continuous curvature\n";
+    return 1;
+  }
+  // A wheel that turns by 0.5 rad/s, axles 2.7 m apart.
+  const SpeedLimits limits{.max_speed = 2, .max_curvature_rate = 0.5 / 2.7};
+  std::cout << "with continuous curvature " << smooth->metrics.length << " m, driven in "
+            << SpeedProfile::build(smooth->curve, limits).value().duration() << " s; with jumps in "
+            << SpeedProfile::build(plan->curve, limits).value().duration() << " s\n";
 }

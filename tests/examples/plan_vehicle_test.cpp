@@ -293,7 +293,7 @@ TEST_CASE(
       {"--reverse --smoother vehicle_shortcut:places=1",
        "--smoother vehicle_shortcut:places=1: vehicle_shortcut needs"},
       {"--reverse --smoother vehicle_shortcut+continuous_curvature:max_sharpness=-1",
-       "continuous_curvature needs"},
+       "max_sharpness must be finite and not negative"},
       {"--search hybrid_astr", "did you mean hybrid_astar?"},
   });
 }

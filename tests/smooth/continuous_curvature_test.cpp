@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "support/catch.hpp"
+#include "support/random_drives.hpp"
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
 #include "support/steering_checker.hpp"
@@ -49,20 +50,9 @@ TEST_CASE("random vehicles' paths become continuous in curvature, and are proved
   std::size_t planned = 0, smoothed = 0;
   for (std::size_t round = 0; round < test::scaled(60); ++round) {
     INFO("seed " << seed << ", round " << round);
-    Workspace world = worlds.workspace();
-    const double size = world.bounds.width();
-    world.safety_radius = 0.01 * size;
+    const auto [world, vehicle, query] = test::random_drive(worlds, random);
     const auto space = InflatedSpace::build(world).value();
-    const bool reverse = random.below(3) != 0;
-    const double radius = 0.05 * size;
-    const Vehicle vehicle =
-        random.below(2) == 0
-            ? Vehicle::point(radius, reverse)
-            : Vehicle::car(0.06 * size, 0.03 * size, 0.04 * size, radius, reverse, 0.004 * size);
-    Query query{.start = worlds.point(world), .goal = worlds.point(world)};
-    query.start_heading = random.uniform(-3, 3);
-    query.goal_heading = random.uniform(-3, 3);
-    query.budget.max_expansions = 10'000;
+    const double radius = vehicle.min_turning_radius;
     const double sharpness = random.uniform(0.3, 3) / (radius * radius);
     Planner planner{HybridAStar{.vehicle = vehicle, .headings = 16, .searches = 2},
                     ContinuousCurvature{.max_sharpness = sharpness}};

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "support/catch.hpp"
+#include "support/random_drives.hpp"
 #include "support/random_worlds.hpp"
 #include "support/scale.hpp"
 #include "support/vehicle_checker.hpp"
@@ -58,21 +59,10 @@ TEST_CASE("smoothed paths of random vehicles cost less and are proved", "[soak]"
   std::size_t smoothed = 0, shorter = 0;
   for (std::size_t round = 0; round < test::scaled(60); ++round) {
     INFO("seed " << seed << ", round " << round);
-    Workspace world = worlds.workspace();
-    const double size = world.bounds.width();
-    world.safety_radius = 0.01 * size;
+    const auto [world, vehicle, query] = test::random_drive(worlds, random);
     const auto space = InflatedSpace::build(world).value();
-    const bool reverse = random.below(3) != 0;
-    const Vehicle vehicle = random.below(2) == 0
-                                ? Vehicle::point(0.05 * size, reverse)
-                                : Vehicle::car(0.06 * size, 0.03 * size, 0.04 * size, 0.05 * size,
-                                               reverse, 0.004 * size);
     Planner planner{HybridAStar{.vehicle = vehicle, .headings = 16, .searches = 2},
                     VehicleShortcut{}};
-    Query query{.start = worlds.point(world), .goal = worlds.point(world)};
-    query.start_heading = random.uniform(-3, 3);
-    query.goal_heading = random.uniform(-3, 3);
-    query.budget.max_expansions = 10'000;
     const auto plan = planner.plan(space, query);
     if (!plan) continue;
     ++smoothed;

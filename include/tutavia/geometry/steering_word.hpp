@@ -19,6 +19,12 @@ namespace tutavia {
 /// The position of the steering wheel: full lock to one side, or straight ahead.
 enum class Steering : std::int8_t { right = -1, straight = 0, left = 1 };
 
+/// How far, and how fast along its path, a vehicle steers.
+struct SteeringLimits {
+  double min_turning_radius = 1;  ///< [m], positive
+  double max_sharpness = 1;       ///< change of the curvature with arc length [1/m^2], positive
+};
+
 /// A drive without steering meanwhile.
 struct SteeringMove {
   Steering steering = Steering::straight;

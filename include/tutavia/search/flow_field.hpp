@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "tutavia/search/grid/expansion_search.hpp"
-#include "tutavia/search/grid/goal_estimate.hpp"
+#include "tutavia/search/grid/flow_runs.hpp"
 #include "tutavia/search/query_checks.hpp"
 
 /// \file
@@ -48,19 +48,8 @@ class FlowField {
         field.ends_.push_back({link, goal});
       }
     }
-    NoObserver no_observer;
-    const Query whole_map{.budget = budget};
-    detail::SearchContext<S, NoObserver> context{space, whole_map, no_observer};
-    detail::GridExpansionScratch scratch;
-    detail::GridExpansion<detail::SuccessorRule::canonical, detail::ZeroHeuristic, S, NoObserver>
-        expansion(context, detail::ZeroHeuristic(), seeds, scratch);
-    typename decltype(expansion)::Popped popped;
-    while (expansion.pop(std::numeric_limits<Cost>::max(), popped)) {
-      if (auto within = context.check_budget(); !within) return std::move(within).unexpected();
-      expansion.expand(popped);
-    }
-    field.stats_ = context.statistics;
-    field.labels_ = std::move(scratch.labels);
+    detail::FlowRuns runs(space.grid(), space.movement(), seeds, field.labels_);
+    if (auto done = runs.run(budget, field.stats_); !done) return std::move(done).unexpected();
     return field;
   }
 

@@ -17,6 +17,7 @@
 #include "tutavia/search/vehicle/drive_chain.hpp"
 #include "tutavia/search/vehicle/driving_costs.hpp"
 #include "tutavia/smooth/concepts.hpp"
+#include "tutavia/smooth/vehicle/improve_path.hpp"
 #include "tutavia/smooth/vehicle/path_parts.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -57,37 +58,28 @@ struct ContinuousCurvature {
   template <ClearanceSpace S>
   Expected<VehiclePath, Failure> smooth(const S& space, const Vehicle& vehicle,
                                         const VehiclePath& path, const Budget& budget) const {
-    if (!(max_sharpness >= 0) || !std::isfinite(max_sharpness) || !(reverse_weight >= 1) ||
-        !std::isfinite(reverse_weight) || !(cusp_cost >= 0) || !std::isfinite(cusp_cost) ||
-        places < 2 || places > 1000) {
-      return fail(PlanError::invalid_option,
-                  "continuous_curvature needs a finite max_sharpness and cusp_cost of 0 or more, a "
-                  "finite reverse_weight of 1 or more and 2 to 1000 places");
+    if (!(max_sharpness >= 0) || !std::isfinite(max_sharpness)) {
+      return fail(PlanError::invalid_option, "max_sharpness must be finite and not negative");
+    }
+    if (auto valid = detail::check_chain_options(name, costs(), places); !valid) {
+      return std::move(valid).unexpected();
     }
     const double radius = vehicle.min_turning_radius;
     if (!(radius > 0) || path.empty()) return path;
     const SteeringLimits limits{radius, max_sharpness > 0 ? max_sharpness : 1 / (radius * radius)};
     const ContinuousDrives drives(limits, vehicle.reverse);
     detail::FootprintTest footprint(vehicle);
-    std::optional<VehiclePath> result = chained(space, footprint, drives, limits, path, budget);
-    if (!result) {
+    const auto improve = [&](const VehiclePath& from) {
+      return chained(space, footprint, drives, limits, from, budget);
+    };
+    std::optional<VehiclePath> first = improve(path);
+    if (!first) {
       if (const auto exceeded = budget.exceeded()) return fail(*exceeded, "while smoothing");
       return fail(PlanError::not_proved,
                   "no drives of continuous curvature along this path are free; more `places`, a "
                   "larger `max_sharpness` or a search with a larger turning radius may help");
     }
-    double cost = detail::cost_of(*result, costs());
-    while (!budget.exceeded()) {
-      auto better = chained(space, footprint, drives, limits, *result, budget);
-      if (!better) break;
-      const double reached = detail::cost_of(*better, costs());
-      if (!(reached < cost)) break;
-      const bool is_little = reached > cost * (1 - 1e-3);
-      result = std::move(better);
-      cost = reached;
-      if (is_little) break;
-    }
-    return std::move(*result);
+    return detail::improve_path(std::move(*first), costs(), budget, improve);
   }
 
   /// A curve without gears is no path of a vehicle: `invalid_option`.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "tutavia/search/vehicle/drive_chain.hpp"
 #include "tutavia/search/vehicle/driving_costs.hpp"
 #include "tutavia/smooth/concepts.hpp"
+#include "tutavia/smooth/vehicle/improve_path.hpp"
 #include "tutavia/smooth/vehicle/path_parts.hpp"
 #include "tutavia/space/concepts.hpp"
 
@@ -46,27 +46,14 @@ struct VehicleShortcut {
   template <ClearanceSpace S>
   Expected<VehiclePath, Failure> smooth(const S& space, const Vehicle& vehicle,
                                         const VehiclePath& path, const Budget& budget) const {
-    if (!(reverse_weight >= 1) || !std::isfinite(reverse_weight) || !(cusp_cost >= 0) ||
-        !std::isfinite(cusp_cost) || places < 2 || places > 1000) {
-      return fail(PlanError::invalid_option,
-                  "vehicle_shortcut needs a finite reverse_weight of 1 or more, a finite cusp_cost "
-                  "of 0 or more and 2 to 1000 places");
+    if (auto valid = detail::check_chain_options(name, costs(), places); !valid) {
+      return std::move(valid).unexpected();
     }
     if (!(vehicle.min_turning_radius > 0) || path.empty()) return path;
-    VehiclePath result = path;
     detail::FootprintTest footprint(vehicle);
-    double cost = cost_of(path);
-    while (!budget.exceeded()) {
-      auto better = with_shortcuts(space, vehicle, footprint, result, budget);
-      if (!better) break;
-      const double reached = cost_of(*better);
-      if (!(reached < cost)) break;
-      const bool is_little = reached > cost * (1 - 1e-3);
-      result = std::move(*better);
-      cost = reached;
-      if (is_little) break;
-    }
-    return result;
+    return detail::improve_path(path, costs(), budget, [&](const VehiclePath& from) {
+      return with_shortcuts(space, vehicle, footprint, from, budget);
+    });
   }
 
   /// A curve without gears is no path of a vehicle: `invalid_option`.

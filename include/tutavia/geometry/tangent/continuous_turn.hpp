@@ -13,15 +13,7 @@
 /// \file
 /// ContinuousTurn: turns that begin and end without curvature, and the circle on which they end.
 
-namespace tutavia {
-
-/// How far and how fast a vehicle steers along its path.
-struct SteeringLimits {
-  double min_turning_radius = 1;  ///< [m], positive
-  double max_sharpness = 1;       ///< of the curvature's change with arc length [1/m^2], positive
-};
-
-namespace detail {
+namespace tutavia::detail {
 
 /// The turns of a vehicle whose curvature starts and ends at 0: a clothoid to the largest
 /// curvature, an arc, a clothoid back. Whatever the change of heading, called deflection, a turn
@@ -111,6 +103,4 @@ class ContinuousTurn {
   double ahead_ = 0, beside_ = 0, radius_ = 0, slope_ = 0;
 };
 
-}  // namespace detail
-
-}  // namespace tutavia
+}  // namespace tutavia::detail
