@@ -162,12 +162,12 @@ struct ContinuousDrives::Search {
 
   /// Three turns, to alternating sides. The centres form a triangle.
   void with_turns(double side) {
-    for (const double first : gears) {
-      for (const double middle : gears) {
-        for (const double last : gears) {
-          const Point between = centres(side, first, side, last);
-          const Point in{(first + middle) * turn.ahead(), -2 * side * turn.beside()};
-          const Point out{(middle + last) * turn.ahead(), 2 * side * turn.beside()};
+    for (const double first_gear : gears) {
+      for (const double middle_gear : gears) {
+        for (const double last_gear : gears) {
+          const Point between = centres(side, first_gear, side, last_gear);
+          const Point in{(first_gear + middle_gear) * turn.ahead(), -2 * side * turn.beside()};
+          const Point out{(middle_gear + last_gear) * turn.ahead(), 2 * side * turn.beside()};
           const double a = in.norm(), b = out.norm(), c = between.norm();
           const double cosine = (a * a + c * c - b * b) / (2 * a * c);
           if (!(std::abs(cosine) <= 1)) continue;
@@ -178,9 +178,9 @@ struct ContinuousDrives::Search {
                              between.y() - a * std::sin(to_middle)};
             const double entry = to_middle - std::atan2(in.y(), in.x());
             const double exit = std::atan2(rest.y(), rest.x()) - std::atan2(out.y(), out.x());
-            offer(std::array{turn_between(start, entry, side, first, 0),
-                             turn_between(entry, exit, -side, middle, 0),
-                             turn_between(exit, goal, side, last, 0)});
+            offer(std::array{turn_between(start, entry, side, first_gear, 0),
+                             turn_between(entry, exit, -side, middle_gear, 0),
+                             turn_between(exit, goal, side, last_gear, 0)});
           }
         }
       }

@@ -86,7 +86,7 @@ inline std::vector<Point> grid_nodes(const Curve& route, double resolution) {
     const Point from = nodes.empty() ? p : nodes.back();
     if (!nodes.empty() && p == from) continue;
     const double count = std::round((p - from).cwiseAbs().maxCoeff() / resolution);
-    for (double k = 1; k < count; ++k) nodes.push_back(from + (p - from) * (k / count));
+    for (double k = 1; k < count; ++k) nodes.emplace_back(from + (p - from) * (k / count));
     nodes.push_back(p);
   }
   return nodes;
