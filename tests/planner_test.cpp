@@ -164,4 +164,34 @@ TEST_CASE("Dijkstra with any smoother plans all built-in tasks") {
   plan_with_all_smoothers(Dijkstra{});
 }
 
+/// Stops half way, in free space.
+struct HalfWay {
+  static constexpr std::string_view name = "half_way";
+  struct Scratch {};
+  static Curve half(const Point& from, const Point& to) {
+    const Point points[] = {from, 0.5 * (from + to)};
+    return Curve::polyline(points);
+  }
+  template <class S, class O>
+  Expected<Route, Failure> search(const S&, const Query& asked, Scratch&, O&) const {
+    return Route{.curve = half(asked.start, asked.goal)};
+  }
+  template <class S>
+  Expected<Curve, Failure> smooth(const S&, const Curve& curve, const Budget&) const {
+    return half(curve.start(), curve.end());
+  }
+};
+
+TEST_CASE("a curve that does not lead from start to goal is no plan, however free it is") {
+  Planner smoothed{AStar{}, HalfWay{}};
+  const auto plan = smoothed.plan(space(), query);
+  REQUIRE(plan);
+  CHECK(plan->fell_back);
+  CHECK(plan->curve.end() == query.goal);
+  Planner searched{HalfWay{}, NoSmoothing{}};
+  const auto failed = searched.plan(space(), query);
+  REQUIRE_FALSE(failed);
+  CHECK(failed.error().code == PlanError::not_proved);
+}
+
 }  // namespace

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tutavia/certify/certify.hpp"
 #include "tutavia/certify/certify_vehicle.hpp"
+#include "tutavia/geometry/vehicle_path.hpp"
 #include "tutavia/metrics/path_metrics.hpp"
 #include "tutavia/search/concepts.hpp"
 #include "tutavia/smooth/concepts.hpp"
@@ -43,13 +46,14 @@ concept PlannableSpace = ClearanceSpace<S> && Searcher<Search, S> && Smoother<Sm
 
 /// Runs a search and a smoother, and proves the result.
 ///
-/// `plan` returns a curve that is proved to keep the space's safety radius, or a failure. If the
-/// smoothed curve is not proved, the plan uses the route's own curve (`fell_back`); if that is not
-/// proved either, the result is `not_proved`. If the deadline passes during smoothing or its proof,
-/// the route is still proved and returned. A cancelled query returns `cancelled`. If the search
-/// avoided a risk zone (SafeRrtStar), the smoothed curve avoids it wherever the route does. A route
-/// that leads through the zone may have to be smoothed in parts, or left as it is in parts: then
-/// what the smoother promises holds for each part alone, and the plan says `fell_back`.
+/// `plan` returns a curve that is proved to keep the space's safety radius from the start to the
+/// goal, or a failure. If the smoothed curve is not proved, the plan uses the route's own curve
+/// (`fell_back`); if that is not proved either, the result is `not_proved`. If the deadline passes
+/// during smoothing or its proof, the route is still proved and returned. A cancelled query returns
+/// `cancelled`. If the search avoided a risk zone (SafeRrtStar), the smoothed curve avoids it
+/// wherever the route does. A route that leads through the zone may have to be smoothed in parts,
+/// or left as it is in parts: then what the smoother promises holds for each part alone, and the
+/// plan says `fell_back`.
 ///
 /// The route of a vehicle (HybridAStar) is smoothed by a VehicleSmoother and proved for the
 /// vehicle's whole footprint, turning radius and gears; any other smoother is an `invalid_option`.
@@ -100,7 +104,7 @@ class Planner {
     const auto smoothed = smooth(space, plan, query.budget);
     stats.smooth_us = watch.lap();
     if (smoothed) {
-      prove(space, plan, query.budget);
+      prove(space, query, plan, query.budget);
     } else if (smoothed.error().code == PlanError::invalid_option) {
       return failed(smoothed.error());
     }
@@ -108,7 +112,7 @@ class Planner {
       plan.fell_back = true;
       plan.curve = plan.route.curve;
       plan.gears = plan.route.gears;
-      prove(space, plan, {.stop = query.budget.stop});
+      prove(space, query, plan, {.stop = query.budget.stop});
     }
     stats.certify_us = watch.lap();
     if (query.budget.cancelled()) return failed({.code = PlanError::cancelled});
@@ -167,19 +171,36 @@ class Planner {
     }
   }
 
-  /// Certifies the plan's curve.
+  /// Certifies the plan's curve. One that does not lead from start to goal, in the headings that
+  /// the query has, stays undecided.
   template <class S>
-  void prove(const S& space, Plan& plan, const Budget& budget) const {
+  void prove(const S& space, const Query& query, Plan& plan, const Budget& budget) const {
+    plan.certificate = {};
+    if (plan.curve.empty() || plan.curve.start() != query.start || plan.curve.end() != query.goal) {
+      return;
+    }
     if constexpr (PlansVehicles<Search>) {
       if (plan.route.vehicle) {
-        const auto proof =
-            certify(space, *plan.route.vehicle, VehiclePath{plan.curve, plan.gears}, {}, budget);
+        const VehiclePath path{plan.curve, plan.gears};
+        if (!has_headings(path, query)) return;
+        const auto proof = certify(space, *plan.route.vehicle, path, {}, budget);
         plan.certificate = proof.clearance;
         plan.certificate.status = proof.status;
         return;
       }
     }
     plan.certificate = certify(space, plan.curve, {}, budget);
+  }
+
+  /// Whether a path starts and ends in the headings that the query has. \pre not empty
+  static bool has_headings(const VehiclePath& path, const Query& query) {
+    const auto is_equal = [](const std::optional<double>& asked, double heading) {
+      return !asked ||
+             std::abs(detail::wrapped_angle(*asked - heading)) <= detail::heading_tolerance;
+    };
+    return path.gears.size() == path.curve.pieces().size() &&
+           is_equal(query.start_heading, path.start().heading) &&
+           is_equal(query.goal_heading, path.end().heading);
   }
 
   Search search_;

@@ -373,10 +373,10 @@ class CurveRepair {
 /// planner searches and smooths a path around the pieces that failed, between two points of the
 /// curve that stays (middles of straight pieces; waypoints of a polyline). The path joins both ends
 /// without a corner where the curve was straight, and with none sharper than the earlier curve's.
-/// It does not turn back at the joints, and is no longer than `max_detour` allows. If there is no
-/// such path, the points move outwards, and in the end the planner plans anew. Curves without
-/// straight pieces and plans that avoid a risk zone are always planned anew, and so is another
-/// query than the plan's.
+/// It does not turn back where the two parts join, and is no longer than `max_detour` allows. If
+/// there is no such path, the points move outwards, and in the end the planner plans anew. Curves
+/// without straight pieces and plans that avoid a risk zone are always planned anew, and so is
+/// another query than the plan's.
 ///
 /// Guarantees: the plan is proved as Planner's are, and its interval and metrics are those of the
 /// whole new curve. A part that was searched is only as short as its ends allow; and a plan that is

@@ -50,6 +50,7 @@ TEST_CASE("a curve that only looks safe at samples is refused, with a witness") 
   const QuadraticBezier arc{{Point(-1, low + 1), Point(0, low - 1), Point(1, low + 1)}};
   const Certificate c = certify(space, curve_of(arc));
   CHECK(c.status == ProofStatus::violated);
+  CHECK(c.obstacle == 0);
   CHECK(c.upper < r);
   CHECK(test::reference_clearance(space.workspace(), c.point) < r);
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -125,6 +126,33 @@ TEST_CASE("a planner never takes the route of a vehicle for that of a point") {
   REQUIRE(plan);
   CHECK(plan->gears.size() == plan->curve.pieces().size());
   CHECK(plan->route.found_by == "hybrid_astar");
+}
+
+/// Comes to the goal in another heading than its input.
+struct TurnedGoal {
+  static constexpr std::string_view name = "turned_goal";
+  template <class S>
+  Expected<Curve, Failure> smooth(const S&, const Curve& curve, const Budget&) const {
+    return curve;
+  }
+  template <class S>
+  Expected<VehiclePath, Failure> smooth(const S&, const Vehicle& vehicle, const VehiclePath& path,
+                                        const Budget&) const {
+    Pose goal = path.end();
+    goal.heading += 0.1;
+    return reeds_shepp_path(path.start(), goal, vehicle.min_turning_radius);
+  }
+};
+
+TEST_CASE("a planner falls back if a smoother does not keep the headings") {
+  const InflatedSpace space = InflatedSpace::build({.bounds = {{0, 0}, {30, 30}}}).value();
+  Planner planner{HybridAStar{.vehicle = Vehicle::point(2, true)}, TurnedGoal{}};
+  Query query{.start = {9, 9}, .goal = {20, 20}, .start_heading = 0, .goal_heading = 0};
+  const auto fell_back = planner.plan(space, query);
+  REQUIRE(fell_back);
+  CHECK(fell_back->fell_back);
+  query.goal_heading = std::nullopt;
+  CHECK_FALSE(planner.plan(space, query)->fell_back);
 }
 
 TEST_CASE("options out of range are refused, and without time the path stays") {

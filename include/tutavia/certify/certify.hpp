@@ -134,6 +134,10 @@ Certificate certify_pieces(const S& space, std::size_t count, double distance, c
       }
       certificate.upper =
           space.clearance(certificate.point) + certificate.distance_error_bound + error;
+      const NearestObstacle nearest = space.nearest(Segment{certificate.point, certificate.point},
+                                                    std::numeric_limits<double>::infinity());
+      certificate.obstacle = nearest.obstacle;
+      certificate.edge = nearest.edge;
     });
     if (!proved) return certificate;
   }

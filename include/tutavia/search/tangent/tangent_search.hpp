@@ -97,7 +97,9 @@ class TangentSearch {
                     "start or goal touches a safety zone, and no path from there can be proved");
       }
     }
-    return fail(PlanError::unreachable, "no path among the obstacles");
+    return fail(PlanError::unreachable, std::isfinite(bound_)
+                                            ? "no path among the obstacles is within `bound`"
+                                            : "no path among the obstacles");
   }
 
   /// The path that ends with the last arrival.
