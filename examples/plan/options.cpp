@@ -67,6 +67,10 @@ void define_output_options(CLI::App& app, Arguments& args) {
       "--show", [&args](const std::string& text) { args.show = parse_shown_parts(text); },
       "What --svg draws besides map, routes and curves: a comma list of visited, tree, zones, "
       "passages, profile, footprint. Default: tree,zones,passages,footprint");
+  app.add_option("--steps", args.steps,
+                 "Draw the search in so many pictures side by side, the last one with the result")
+      ->check(CLI::Range(2, 12));
+  app.add_flag("--animate", args.animate, "Draw an animated picture of the search and its result");
   app.add_option("--trace", args.trace, "Write the events of the searches, one line of JSON each");
   app.add_flag("--compare", args.compare,
                "All searches with the smoother, and all smoothers with the search");
@@ -74,6 +78,15 @@ void define_output_options(CLI::App& app, Arguments& args) {
 }
 
 /// Throws a UsageError for a --show that no picture can obey.
+/// Pictures of how a search proceeds are of one query.
+void check_proceeding(const Arguments& args) {
+  if (!args.steps && !args.animate) return;
+  const std::string option = args.steps ? "--steps" : "--animate";
+  if (args.steps && args.animate) throw UsageError{"--steps and --animate are two pictures"};
+  if (args.svg.empty()) throw UsageError{option + ": give --svg FILE, too"};
+  if (args.compare) throw UsageError{option + ": --compare runs many searches"};
+}
+
 void check_shown_parts(const Arguments& args) {
   if (!args.show) return;
   if (args.svg.empty()) throw UsageError{"--show is for a picture; give --svg FILE"};
@@ -115,6 +128,7 @@ std::optional<Arguments> parse_command_line(int argc, const char* const* argv) {
   define_planning_options(app, args);
   define_output_options(app, args);
   if (!parse(app, argc, argv)) return std::nullopt;
+  check_proceeding(args);
   check_shown_parts(args);
   split_headings(args);
   check_vehicle(args.vehicle);

@@ -41,6 +41,8 @@ struct Arguments {
   std::optional<double> time_limit{};
   std::string json{};
   std::string svg{};
+  std::optional<int> steps{};        ///< panels of the picture
+  bool animate = false;              ///< the picture
   std::optional<ShownParts> show{};  ///< in the picture; default: default_parts()
   std::string trace{};
   bool compare = false;
@@ -48,6 +50,13 @@ struct Arguments {
 
   /// Whether stdout shows tables; `--json -` puts the results there instead.
   bool prints_tables() const { return json != "-"; }
+  /// What the picture shows. One of how a search proceeds shows visited nodes if not told
+  /// otherwise.
+  ShownParts shown() const {
+    ShownParts parts = show.value_or(default_parts());
+    if (!show && (animate || steps)) parts.visited = true;
+    return parts;
+  }
 };
 
 /// Reads the command line. For --help and --help-NAME it prints the help and returns nothing.

@@ -12,6 +12,8 @@
 #include "planning_space.hpp"
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/io/svg.hpp"
+#include "tutavia/io/svg_search.hpp"
+#include "tutavia/io/text/write_file.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "usage_error.hpp"
 
@@ -103,10 +105,27 @@ void add_critical_corners(const Task& task, const Result& result, SvgOptions& op
   }
 }
 
+/// Draws how the search of the only query proceeds.
+void draw_search(const Arguments& args, const Task& task, const std::vector<Group>& groups,
+                 const Workspace& workspace, SvgOptions& options) {
+  const std::string option = args.steps ? "--steps" : "--animate";
+  if (groups.size() != 1 || groups.front().size() != 1) {
+    throw UsageError{option + ": give one --goal, one --search and one --smoother"};
+  }
+  const Result& result = groups.front().front();
+  if (!result.plan) throw UsageError{option + ": there is no plan to draw"};
+  const SearchRecord record = task.frame.to_map(result.drawings);
+  options.labels.push_back(label_of(result, 1));
+  throw_failure(detail::write_file(
+      args.svg, args.animate ? to_animated_svg(workspace, *result.plan, record, options)
+                             : to_svg_steps(workspace, *result.plan, record,
+                                            static_cast<std::size_t>(*args.steps), options)));
+}
+
 }  // namespace
 
 void draw(const Arguments& args, const Task& task, std::vector<Group> groups) {
-  const ShownParts shown = args.show.value_or(default_parts());
+  const ShownParts shown = args.shown();
   Workspace workspace = task.scene.workspace;
   SvgOptions options{.zones = shown.zones,
                      .risk_zones = shown.zones && (args.show || !args.compare),
@@ -118,6 +137,7 @@ void draw(const Arguments& args, const Task& task, std::vector<Group> groups) {
   if (const auto* cells = std::get_if<CellSpace>(&task.space)) {
     add_cells(task, *cells, workspace, options);
   }
+  if (args.steps || args.animate) return draw_search(args, task, groups, workspace, options);
   std::vector<Plan> plans;
   std::set<std::string> searches;  // those already drawn: every smoother has the same
   for (Group& group : groups) {

@@ -51,7 +51,7 @@ SearchRecord drawings_of(SearchRecord record, const ShownParts& shown) {
 Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
                  const PipelineText& search, const PipelineText& smoother) {
   const bool is_drawn = !args.svg.empty() && !args.compare;
-  const ShownParts shown = args.show.value_or(default_parts());
+  const ShownParts shown = args.shown();
   const bool is_traced = trace.takes(search.text);
   const ChosenPlanner planner =
       make_planner(task.space, task.costs, search, smoother, args.vehicle);

@@ -8,4 +8,5 @@
 #include "tutavia/io/ros_map.hpp"
 #include "tutavia/io/svg.hpp"
 #include "tutavia/io/svg_options.hpp"
+#include "tutavia/io/svg_search.hpp"
 #include "tutavia/io/wkt.hpp"

@@ -40,6 +40,7 @@ struct SvgOptions {
   std::vector<Point> goals{};             ///< the same
   std::vector<std::string> notes{};       ///< lines below the legend
   std::string title{};
+  bool legend = true;   ///< whether to explain below the map what is drawn
   bool y_down = false;  ///< y grows downwards, as in images
 };
 

@@ -46,7 +46,9 @@ class SvgPicture {
       SvgProfile(svg_, {margin, y}, width_, workspace_, plans_).draw();
       y += SvgProfile::height;
     }
-    y = SvgKey(svg_, {margin, y + 24}, width_, workspace_, plans_, options_).draw();
+    y = options_.legend
+            ? SvgKey(svg_, {margin, y + 24}, width_, workspace_, plans_, options_).draw()
+            : y + margin;
     return svg_.finish(width_ + 2 * margin, y);
   }
 

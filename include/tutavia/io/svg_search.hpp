@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "tutavia/io/svg.hpp"
+#include "tutavia/io/svg_options.hpp"
+#include "tutavia/io/text/svg_animation.hpp"
+#include "tutavia/io/text/svg_writer.hpp"
+#include "tutavia/planner.hpp"
+#include "tutavia/search/search_record.hpp"
+#include "tutavia/world/workspace.hpp"
+
+/// \file
+/// Pictures of how a search proceeds: animated, and in steps side by side.
+
+namespace tutavia {
+
+/// An animated picture of a query: the search grows, then come its route and the proved curve, and
+/// a robot drives along it. It needs no script, so it moves in web pages as an image, too. Viewers
+/// without animations show all of it at once. The robot is a disc with the safety radius.
+inline std::string to_animated_svg(const Workspace& workspace, const Plan& plan,
+                                   const SearchRecord& record, const SvgOptions& options = {}) {
+  return detail::SvgAnimation(workspace, plan, record, options).draw();
+}
+
+/// `panels` pictures side by side: all but the last show what the search has done after equal parts
+/// of its events, the last one its route and the proved curve. Each is `options.width` wide.
+/// \pre panels >= 2
+inline std::string to_svg_steps(const Workspace& workspace, const Plan& plan,
+                                const SearchRecord& record, std::size_t panels,
+                                const SvgOptions& options = {}) {
+  const double height = workspace.bounds.height() * options.width /
+                        std::max({workspace.bounds.width(), workspace.bounds.height(), 1e-300});
+  const double margin = 16, wide = std::max(options.width, 560.0) + 2 * margin;
+  const double shown = options.width + 2 * margin;
+  detail::SvgWriter svg;
+  for (std::size_t i = 0; i < panels; ++i) {
+    const bool is_last = i + 1 == panels;
+    SvgOptions panel = options;
+    panel.legend = false;
+    panel.title.clear();
+    if (!is_last) {
+      SearchRecord part = record;
+      part.events.resize(record.events.size() * (i + 1) / (panels - 1));
+      part.tree_path = {};
+      add_search(panel, part);
+      panel.starts.push_back(plan.curve.start());
+      panel.goals.push_back(plan.curve.end());
+    }
+    svg.raw("<svg x=\"" + detail::SvgWriter::number(static_cast<double>(i) * (shown - margin)) +
+            "\" width=\"" + detail::SvgWriter::number(wide) + "\">\n");
+    svg.raw(to_svg(workspace, std::span(&plan, is_last ? 1 : 0), panel));
+    svg.raw("</svg>\n");
+  }
+  return svg.finish(static_cast<double>(panels) * (shown - margin) + margin, height + 2 * margin);
+}
+
+}  // namespace tutavia
