@@ -1,18 +1,23 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Runs the two commands of the README in a bare root of another release, as someone who has nothing
-# installed would; by hand before a release, as root.
+# Tries the library in a bare root of another release, as someone who has nothing installed would;
+# by hand before a release, as root.
 #
-#   cmake/try_on.sh trixie [FOLDER]    Debian 13 in FOLDER (default: build/try_on/trixie), kept for
-#                                      another try
+#   cmake/try_on.sh trixie [FOLDER [MODE...]]    Debian 13 in FOLDER (default: build/try_on/trixie),
+#                                                kept for another try
+#
+# A mode is demo or test, a command of the README, or package: installs the Debian package with what
+# apt gives it, and builds and runs the project of tests/consumer_install. The default is all three.
 set -euo pipefail
 release=${1:-}
-[ -n "$release" ] || { echo "usage: cmake/try_on.sh RELEASE [FOLDER]" >&2; exit 2; }
+[ -n "$release" ] || { echo "usage: cmake/try_on.sh RELEASE [FOLDER [MODE...]]" >&2; exit 2; }
 cd "$(dirname "$0")/.."
 [ "$(id -u)" -eq 0 ] || { echo "try_on.sh: has to be run as root" >&2; exit 1; }
 command -v debootstrap >/dev/null ||
   { echo "try_on.sh: needs debootstrap (apt-get install debootstrap)" >&2; exit 1; }
 root=${2:-build/try_on/$release}
+modes=("${@:3}")
+[ ${#modes[@]} -gt 0 ] || modes=(demo test package)
 
 # The package mirror, proxy and keys of this machine serve the other release as well.
 source_line=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | grep -v security | head -1)
@@ -28,17 +33,48 @@ trap cleanup EXIT
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
 
-rm -rf "$root/tutavia"
-git clone -q . "$root/tutavia"
-started=$SECONDS
-for mode in demo test; do
-  before=$SECONDS
+mkdir -p build
+in_root() {
   chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C \
-    sh -c "cd /tutavia && cmake/setup.sh $mode" 2>&1 | tee "build/try_on_$release.$mode.log"
-  echo "try_on.sh: cmake/setup.sh $mode: $((SECONDS - before)) s"
+    DEBIAN_FRONTEND=noninteractive sh -ec "$1"
+}
+
+try_command() {
+  rm -rf "$root/tutavia"
+  git clone -q . "$root/tutavia"
+  in_root "cd /tutavia && cmake/setup.sh $1"
+}
+
+# The sources are not there: only the package and the project that uses it.
+try_package() {
+  rm -rf "$root/tutavia" "$root/package" build/try_on_package
+  mkdir "$root/package"
+  cmake -B build/try_on_package -DTUTAVIA_BUILD_TESTS=OFF -DTUTAVIA_BUILD_EXAMPLES=OFF \
+    -DTUTAVIA_BUILD_BENCHMARKS=OFF
+  cpack -G DEB --config build/try_on_package/CPackConfig.cmake -B build/try_on_package
+  cp -r build/try_on_package/*.deb tests/consumer_install "$root/package"
+  in_root "apt-get update -qq
+    apt-get install -y -qq --no-install-recommends g++ cmake make pkg-config >/dev/null
+    apt-get install -y -qq /package/*.deb >/dev/null
+    dpkg -s libtutavia-dev
+    cmake -S /package/consumer_install -B /package/build
+    cmake --build /package/build
+    /package/build/consumer && /package/build/ros_consumer && pkg-config --cflags tutavia
+    apt-get remove -y -qq libtutavia-dev >/dev/null && test ! -e /usr/include/tutavia"
+}
+
+started=$SECONDS
+for mode in "${modes[@]}"; do
+  before=$SECONDS
+  case $mode in
+    demo | test) try_command "$mode" ;;
+    package) try_package ;;
+    *) echo "try_on.sh: no mode is named $mode" >&2; exit 2 ;;
+  esac 2>&1 | tee "build/try_on_$release.$mode.log"
+  echo "try_on.sh: $mode: $((SECONDS - before)) s"
 done
 if grep -H 'warning:' build/try_on_"$release".*.log; then
   echo "try_on.sh: there are warnings" >&2
   exit 1
 fi
-echo "try_on.sh: both commands work on $release without a warning, $((SECONDS - started)) s"
+echo "try_on.sh: ${modes[*]} on $release without a warning, $((SECONDS - started)) s"

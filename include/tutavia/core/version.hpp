@@ -5,7 +5,7 @@
 /// The version of the library; CMake reads it from here.
 
 #define TUTAVIA_VERSION_MAJOR 0
-#define TUTAVIA_VERSION_MINOR 1
+#define TUTAVIA_VERSION_MINOR 2
 #define TUTAVIA_VERSION_PATCH 0
 
 #ifdef __FAST_MATH__
