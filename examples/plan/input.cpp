@@ -223,8 +223,9 @@ OccupancyGrid read_terrain(const Arguments& args) {
     std::string& text = cells.error().detail;
     const std::size_t at = text.find(detail::directional_option);
     if (at != std::string::npos) text.replace(at, detail::directional_option.size(), "--terrain");
+    throw UsageError{text};
   }
-  return value_or_throw(std::move(cells));
+  return std::move(*cells);
 }
 
 CellMap load_cells(const Arguments& args) {

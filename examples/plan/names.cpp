@@ -30,8 +30,7 @@ Choices parse_choices(const Arguments& args, const Names& for_vehicles) {
   chosen.for_vehicle = chosen.for_vehicle ||
                        std::any_of(chosen.searches.begin(), chosen.searches.end(), is_for_vehicle);
   chosen.smoothers = parse_list(
-      "--smoother",
-      args.smoother.value_or(chosen.for_vehicle ? for_vehicles.smoothers.back() : "delta"));
+      "--smoother", args.smoother.value_or(chosen.for_vehicle ? "vehicle_shortcut" : "clothoid"));
   for (const tutavia::PipelineText& search : chosen.searches) {
     if (search.stages.size() == 1) continue;
     throw UsageError{"--search: unknown name \"" + search.text + "\"; only smoothers are chained"};

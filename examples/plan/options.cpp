@@ -54,7 +54,7 @@ void define_planning_options(CLI::App& app, Arguments& args) {
                  "(any_angle: on grids). Default: auto; for a vehicle hybrid_astar");
   app.add_option("--smoother", args.smoother,
                  "Smoother, or a comma list of them, with options as for --search; A+B is a "
-                 "pipeline: B smooths the result of A. Default: delta; for a vehicle "
+                 "pipeline: B smooths the result of A. Default: clothoid; for a vehicle "
                  "vehicle_shortcut");
   app.add_option("--seed", args.seed, "Seed for searches that draw random numbers");
   app.add_option("--time-limit", args.time_limit, "Seconds per query");

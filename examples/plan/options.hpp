@@ -35,7 +35,7 @@ struct Arguments {
   tutavia::EdgeRule edges = tutavia::EdgeRule::uniform;
   std::optional<int> buffer{};            ///< [cells]
   std::optional<std::string> search{};    ///< default: auto, or hybrid_astar for a vehicle
-  std::optional<std::string> smoother{};  ///< default: delta, or vehicle_shortcut for a vehicle
+  std::optional<std::string> smoother{};  ///< default: clothoid, or vehicle_shortcut for a vehicle
   VehicleArguments vehicle{};
   std::uint64_t seed = 0;
   std::optional<double> time_limit{};

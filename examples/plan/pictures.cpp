@@ -105,15 +105,16 @@ void add_critical_corners(const Task& task, const Result& result, SvgOptions& op
   }
 }
 
-/// Draws how the search of the only query proceeds.
-void draw_search(const Arguments& args, const Task& task, const std::vector<Group>& groups,
+/// The result of the only query. Throws UsageError if there are several.
+const Result& only_result(const Arguments& args, const std::vector<Group>& groups) {
+  if (groups.size() == 1 && groups.front().size() == 1) return groups.front().front();
+  throw UsageError{std::string(args.steps ? "--steps" : "--animate") +
+                   ": give one --goal, one --search and one --smoother"};
+}
+
+/// Draws how the search of a plan proceeds.
+void draw_search(const Arguments& args, const Task& task, const Result& result,
                  const Workspace& workspace, SvgOptions& options) {
-  const std::string option = args.steps ? "--steps" : "--animate";
-  if (groups.size() != 1 || groups.front().size() != 1) {
-    throw UsageError{option + ": give one --goal, one --search and one --smoother"};
-  }
-  const Result& result = groups.front().front();
-  if (!result.plan) throw UsageError{option + ": there is no plan to draw"};
   const SearchRecord record = task.frame.to_map(result.drawings);
   options.labels.push_back(label_of(result, 1));
   throw_failure(detail::write_file(
@@ -137,7 +138,11 @@ void draw(const Arguments& args, const Task& task, std::vector<Group> groups) {
   if (const auto* cells = std::get_if<CellSpace>(&task.space)) {
     add_cells(task, *cells, workspace, options);
   }
-  if (args.steps || args.animate) return draw_search(args, task, groups, workspace, options);
+  if (args.steps || args.animate) {
+    const Result& result = only_result(args, groups);
+    if (args.steps) options.width = 300;
+    if (result.plan) return draw_search(args, task, result, workspace, options);
+  }
   std::vector<Plan> plans;
   std::set<std::string> searches;  // those already drawn: every smoother has the same
   for (Group& group : groups) {

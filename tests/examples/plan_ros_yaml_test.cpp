@@ -282,7 +282,7 @@ TEST_CASE("unknown cells of a ROS map are blocked, free, or cost a multiple of t
   const Outcome smoothed =
       folder.run("--grid a.yaml --start 0.5,0.5 --goal 6.5,0.5 --unknown cost:5");
   CHECK(smoothed.code == 0);
-  CHECK(has_part(smoothed.err, "smoothers know no costs, and delta may lead through unknown"));
+  CHECK(has_part(smoothed.err, "smoothers know no costs, and clothoid may lead through unknown"));
 }
 
 TEST_CASE("what is wrong with a ROS map is one line that names the option that helps") {

@@ -120,7 +120,7 @@ TEST_CASE("without options tutavia-plan plans the maze and writes maze.svg") {
   const Outcome outcome = folder.run("");
   CHECK(outcome.code == 0);
   CHECK(outcome.err.empty());
-  CHECK(contains(outcome.out, "search auto, smoother delta"));
+  CHECK(contains(outcome.out, "search auto, smoother clothoid"));
   for (const char* goal : {"(14.5, 14.5)", "(7, 14)", "(14, 6)", "(2, 14)"}) {
     CHECK(contains(outcome.out, goal));
   }
@@ -158,7 +158,7 @@ TEST_CASE("lists of algorithms run in every combination, comparison runs them al
   CHECK(contains(names.out, " delta bezier "));
   const Outcome comparison = folder.run("--compare --map array");
   CHECK(comparison.code == 0);
-  CHECK(contains(comparison.out, "all searches, smoother delta"));
+  CHECK(contains(comparison.out, "all searches, smoother clothoid"));
   CHECK(contains(comparison.out, "all smoothers, search auto"));
 }
 
@@ -855,8 +855,29 @@ TEST_CASE("the legend calls curves as the user wrote the algorithms, with goal a
     }
   }
   REQUIRE(folder.run("--map array --goal 14,8.4 --goal 10,15.2 --svg p.svg").code == 0);
-  CHECK(contains(read(folder / "p.svg"), ">auto, delta, to (14, 8.4), 1"));
-  CHECK(contains(read(folder / "p.svg"), ">auto, delta, to (10, 15.2), 1"));
+  CHECK(contains(read(folder / "p.svg"), ">auto, clothoid, to (14, 8.4), 1"));
+  CHECK(contains(read(folder / "p.svg"), ">auto, clothoid, to (10, 15.2), 1"));
+}
+
+TEST_CASE("--animate and --steps draw how the search of one query proceeds") {
+  const Folder folder;
+  const std::string task = "--map maze --goal 14,6 --search astar ";
+  REQUIRE(folder.run(task + "--animate --svg a.svg").code == 0);
+  CHECK(contains(read(folder / "a.svg"), "<animateMotion"));
+  CHECK(contains(read(folder / "a.svg"), "#b3d9f5"));  // visited nodes
+  REQUIRE(folder.run(task + "--steps 3 --svg s.svg").code == 0);
+  CHECK_FALSE(contains(read(folder / "s.svg"), "<animate"));
+  CHECK(contains(read(folder / "s.svg"), "width=\"300.00\""));
+  for (const auto& [line, error] : {std::pair{"--map maze --steps 3", "--steps: give --svg FILE"},
+                                    {"--map maze --animate --svg m.svg", "--animate: give one"},
+                                    {"--map maze --steps 1 --svg m.svg", "--steps"},
+                                    {"--map maze --steps 3 --animate --svg m.svg", "two pictures"},
+                                    {"--compare --animate --svg m.svg", "--compare runs many"}}) {
+    const Outcome outcome = folder.run(line);
+    INFO(line << ": " << outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, error));
+  }
 }
 
 TEST_CASE("a picture without a plan shows what was searched, where to, and why there is none") {
