@@ -27,7 +27,7 @@ case ${1:-} in
     if [ ! -e $out/boost/usr/include/boost/version.hpp ]; then
       (cd $out && apt-get download -qq libboost1.81-dev && dpkg -x libboost1.81-dev_*.deb boost)
     fi
-    sed -n '/^#include <iostream>/,/^```/p' README.md | grep -v '^```' >$out/readme.cpp
+    sed -n '/^#include <cstdio>/,/^```/p' README.md | grep -v '^```' >$out/readme.cpp
     {
       echo '#include "tutavia/tutavia.hpp"'
       echo '#include "tutavia/registry.hpp"'

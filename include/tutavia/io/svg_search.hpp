@@ -44,10 +44,9 @@ inline std::string to_svg_steps(const Workspace& workspace, const Plan& plan,
     panel.legend = false;
     panel.title.clear();
     if (!is_last) {
-      SearchRecord part = record;
-      part.events.resize(record.events.size() * (i + 1) / (panels - 1));
-      part.tree_path = {};
-      add_search(panel, part);
+      add_search(panel,
+                 detail::events_between(
+                     record, 0, static_cast<double>(i + 1) / static_cast<double>(panels - 1)));
       panel.starts.push_back(plan.curve.start());
       panel.goals.push_back(plan.curve.end());
     }

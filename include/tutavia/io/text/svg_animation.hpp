@@ -29,23 +29,40 @@
 
 namespace tutavia::detail {
 
-/// The events of a search in parts of equal numbers, each as options that show them. A node that
-/// was visited before is left out.
+/// The events of a search between two shares of it, in [0, 1]. Nodes and all others are counted
+/// apart, because trees report their edges in the end.
+inline SearchRecord events_between(const SearchRecord& record, double from, double to) {
+  using Kind = SearchRecord::Event::Kind;
+  const auto is_node = [](const SearchRecord::Event& event) {
+    return event.kind == Kind::expanded || event.kind == Kind::generated;
+  };
+  const auto nodes =
+      static_cast<std::size_t>(std::count_if(record.events.begin(), record.events.end(), is_node));
+  const std::array<double, 2> counts{static_cast<double>(record.events.size() - nodes),
+                                     static_cast<double>(nodes)};
+  std::array<double, 2> numbers{};
+  SearchRecord part;
+  for (const SearchRecord::Event& event : record.events) {
+    const std::size_t group = is_node(event) ? 1 : 0;
+    const double number = numbers[group]++;
+    if (from * counts[group] <= number && number < to * counts[group]) part.events.push_back(event);
+  }
+  return part;
+}
+
+/// A search in parts, each as options that show its events. A node that was visited before is left
+/// out.
 inline std::vector<SvgOptions> search_parts(const SearchRecord& record, std::size_t count) {
   std::vector<SvgOptions> parts;
   std::set<std::pair<double, double>> seen;
+  const auto total = static_cast<double>(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t from = record.events.size() * i / count;
-    const std::size_t to = record.events.size() * (i + 1) / count;
-    SearchRecord part;
-    for (std::size_t k = from; k < to; ++k) {
-      const SearchRecord::Event& event = record.events[k];
-      if (event.kind == SearchRecord::Event::Kind::expanded &&
-          !seen.emplace(event.a.x(), event.a.y()).second) {
-        continue;
-      }
-      part.events.push_back(event);
-    }
+    const auto first = static_cast<double>(i);
+    SearchRecord part = events_between(record, first / total, (first + 1) / total);
+    std::erase_if(part.events, [&](const SearchRecord::Event& event) {
+      return event.kind == SearchRecord::Event::Kind::expanded &&
+             !seen.emplace(event.a.x(), event.a.y()).second;
+    });
     parts.emplace_back();
     add_search(parts.back(), part);
   }
