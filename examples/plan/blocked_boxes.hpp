@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "map_frame.hpp"
 #include "tutavia/geometry/box.hpp"
+#include "tutavia/geometry/polygon.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 
 /// \file
@@ -48,6 +50,12 @@ inline std::vector<Box> blocked_boxes(const OccupancyGrid& cells, const Point& o
     open = std::move(row);
   }
   return boxes;
+}
+
+/// The corners of a box in the frame of the grid, counterclockwise, in that of the map.
+inline Ring corners_of(const Box& box, const MapFrame& frame) {
+  return {frame.to_map(box.min), frame.to_map(Point{box.max.x(), box.min.y()}),
+          frame.to_map(box.max), frame.to_map(Point{box.min.x(), box.max.y()})};
 }
 
 }  // namespace plan_program

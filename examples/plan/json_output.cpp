@@ -7,8 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
+#include <variant>
 
+#include "blocked_boxes.hpp"
 #include "tutavia/io/plan_json.hpp"
+#include "tutavia/io/posthoc_json.hpp"
 #include "tutavia/io/text/write_file.hpp"
 #include "tutavia/io/trace_json.hpp"
 #include "usage_error.hpp"
@@ -35,6 +38,25 @@ nlohmann::ordered_json to_json(const RosMap& map) {
           {"resolution", map.resolution},
           {"width", map.width},
           {"height", map.height}};
+}
+
+/// One search as Posthoc reads it; the cells of a grid map are obstacles.
+std::string for_posthoc(const Task& task, const Result& result, const SearchRecord& record) {
+  Workspace workspace = task.scene.workspace;
+  PosthocOptions options{.y_down = task.y_down};
+  std::visit([&](const auto& space) { options.cell_size = space.frame().resolution; }, task.space);
+  if (const auto* cells = std::get_if<CellSpace>(&task.space)) {
+    for (const Box& box : blocked_boxes(cells->cells(), cells->bounds().min, options.cell_size)) {
+      workspace.obstacles.emplace_back(Polygon{corners_of(box, task.frame)});
+    }
+  }
+  if (record.events.size() > options.max_events) {
+    std::cerr << "tutavia-plan: --trace: " << record.events.size() - options.max_events
+              << " events after the first " << options.max_events << " are left out\n";
+  }
+  const Plan* plan = result.plan ? &*result.plan : nullptr;
+  return posthoc_trace(workspace, task.scene.start, result.goal, record, plan, options).dump() +
+         "\n";
 }
 
 }  // namespace
@@ -69,10 +91,19 @@ bool TraceFile::takes(const std::string& search) {
   return !path_.empty() && searches_.insert(search).second;
 }
 
-void TraceFile::write(const Scene& scene, const Result& result, const SearchRecord& record) {
+void TraceFile::write(const Task& task, const Result& result, const SearchRecord& record) {
+  if (path_.ends_with(".trace.json")) {
+    if (std::exchange(has_posthoc_, true)) {
+      throw UsageError{
+          "--trace: a .trace.json file holds one search; give one --goal and one "
+          "--search, or a file with another ending"};
+    }
+    file_ << for_posthoc(task, result, record);
+    return check();
+  }
   const std::string_view status = result.plan ? "success" : to_string(result.plan.error().code);
   std::string text;
-  append_trace(text, header_of(scene, result), status, record);
+  append_trace(text, header_of(task.scene, result), status, record);
   file_ << text;
   check();
 }

@@ -20,8 +20,8 @@ namespace plan_program {
 void write_results(const std::string& path, const Task& task, const std::vector<Group>& groups);
 
 /// The file of --trace. It is written while the searches run and holds each search once, however
-/// many smoothers follow it. With an empty path it does nothing. Every member throws UsageError if
-/// the file cannot be written.
+/// many smoothers follow it. With an empty path it does nothing. A file NAME.trace.json is for
+/// Posthoc and holds one search. Every member throws UsageError if the file cannot be written.
 class TraceFile {
  public:
   explicit TraceFile(const std::string& path);
@@ -29,7 +29,7 @@ class TraceFile {
   /// Whether the file takes the results of a search: true for the first call with its name
   /// and options.
   bool takes(const std::string& search);
-  void write(const Scene& scene, const Result& result, const SearchRecord& record);
+  void write(const Task& task, const Result& result, const SearchRecord& record);
   void close();
 
  private:
@@ -38,6 +38,7 @@ class TraceFile {
   std::string path_;
   std::ofstream file_{};
   std::set<std::string> searches_{};
+  bool has_posthoc_ = false;  // a search for Posthoc is written
 };
 
 }  // namespace plan_program

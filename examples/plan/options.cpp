@@ -71,7 +71,10 @@ void define_output_options(CLI::App& app, Arguments& args) {
                  "Draw the search in so many pictures side by side, the last one with the result")
       ->check(CLI::Range(2, 12));
   app.add_flag("--animate", args.animate, "Draw an animated picture of the search and its result");
-  app.add_option("--trace", args.trace, "Write the events of the searches, one line of JSON each");
+  app.add_option(
+      "--trace", args.trace,
+      "Write the events of the searches, one line of JSON each; NAME.trace.json: one search for "
+      "Posthoc");
   app.add_flag("--compare", args.compare,
                "All searches with the smoother, and all smoothers with the search");
   app.add_flag("--list", args.list, "Print the names of searches and smoothers");

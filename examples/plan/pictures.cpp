@@ -30,12 +30,6 @@ OccupancyGrid newly_blocked(OccupancyGrid cells, const OccupancyGrid& before) {
   return cells;
 }
 
-/// The corners of a box in the frame of the grid, counterclockwise, in that of the map.
-Ring corners_of(const Box& box, const MapFrame& frame) {
-  return {frame.to_map(box.min), frame.to_map(Point{box.max.x(), box.min.y()}),
-          frame.to_map(box.max), frame.to_map(Point{box.min.x(), box.max.y()})};
-}
-
 /// Draws a box by its edges: pictures have no turned boxes.
 void add_outline(const Box& box, const MapFrame& frame, SvgOptions& options) {
   const Ring ring = corners_of(box, frame);

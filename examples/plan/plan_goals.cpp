@@ -79,7 +79,7 @@ Group plan_goals(const Task& task, const Arguments& args, TraceFile& trace,
     if (has_all_figures) add_figures(task.space, query, result);
     if (result.plan) result.route_in_grid = result.plan->route.curve;
     result.plan = frame.to_map(std::move(result.plan));
-    if (is_traced) trace.write(task.scene, result, frame.to_map(record));
+    if (is_traced) trace.write(task, result, frame.to_map(record));
     if (is_drawn) result.drawings = drawings_of(std::move(record), shown);
   }
   return group;

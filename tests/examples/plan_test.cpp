@@ -95,6 +95,18 @@ TEST_CASE("a trace holds every step of the searches, a line of JSON for each") {
   CHECK(folder.run(task + "--trace no_folder/t.jsonl").code == 2);
 }
 
+TEST_CASE("a trace for Posthoc holds one search") {
+  Folder folder;
+  const std::string task = "--map maze --search astar ";
+  REQUIRE(folder.run(task + "--goal 14,6 --trace t.trace.json").code == 0);
+  const auto trace = nlohmann::json::parse(read(folder / "t.trace.json"));
+  CHECK(trace["version"] == "1.4.0");
+  CHECK(trace["events"].size() > 1000);
+  const Outcome many = folder.run(task + "--trace t.trace.json");
+  CHECK(many.code == 2);
+  CHECK(contains(many.err, "--trace: a .trace.json file holds one search"));
+}
+
 TEST_CASE("a trace has every search once, and of a query that fails nothing but that") {
   Folder folder;
   // The second goal lies in an obstacle: what the tree of the first was is not told again.
