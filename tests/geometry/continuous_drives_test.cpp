@@ -14,9 +14,11 @@
 #include "support/scale.hpp"
 #include "support/steering_checker.hpp"
 #include "support/vehicle_checker.hpp"
+#include "tutavia/certify/certify_vehicle.hpp"
 #include "tutavia/core/random.hpp"
 #include "tutavia/geometry/dubins.hpp"
 #include "tutavia/geometry/reeds_shepp.hpp"
+#include "tutavia/space/inflated_space.hpp"
 
 namespace {
 
@@ -119,6 +121,83 @@ TEST_CASE("simple goals take the moves that one expects") {
     CHECK(word.moves[0].length == Approx(deflection));
     CHECK(word.length == Approx(path.length()));
   }
+}
+
+TEST_CASE("goals that one, two or three simple moves reach take no longer way") {
+  const std::uint64_t seed = 5;
+  Random random(seed);
+  using Move = SteeringMove;
+  for (std::size_t round = 0; round < test::scaled(2000); ++round) {
+    INFO("seed " << seed << ", round " << round);
+    const double radius = std::exp(random.uniform(-1, 1));
+    const SteeringLimits limits{radius, std::exp(random.uniform(-2, 3)) / (radius * radius)};
+    const detail::ContinuousTurn turn(limits);
+    const bool reverse = random.below(2) == 0;
+    const ContinuousDrives drives(limits, reverse);
+    // Straight moves of a turn without deflection, or of any length.
+    const auto straight = [&] {
+      return Move{Steering::straight, random.below(2) == 0
+                                          ? 2 * turn.ahead()
+                                          : radius * std::exp(random.uniform(-4, 2))};
+    };
+    const Move curved{random.below(2) == 0 ? Steering::left : Steering::right,
+                      random.uniform(0.1, 3)};
+    ContinuousWord word;
+    switch (random.below(4)) {
+      case 0:
+        word.push_back(straight(), 0);
+        break;
+      case 1:
+        word.push_back(straight(), 0);
+        word.push_back(curved, 0);
+        break;
+      case 2:
+        word.push_back(curved, 0);
+        word.push_back(straight(), 0);
+        break;
+      default:
+        word.push_back(straight(), 0);
+        word.push_back(curved, 0);
+        word.push_back(straight(), 0);
+    }
+    double length = 0;
+    Pose pose = test::any_pose(random, radius);
+    const Pose from = pose;
+    VehiclePath driven;
+    for (std::size_t i = 0; i < word.size; ++i) {
+      length += drives.length(word.moves[i]);
+      if (word.moves[i].steering == Steering::straight) {
+        pose.position +=
+            word.moves[i].length * Point(std::cos(pose.heading), std::sin(pose.heading));
+      } else {
+        pose = turn.append(pose, word.moves[i], driven);
+      }
+    }
+    const ContinuousWord found = drives.word(from, pose);
+    CHECK(found.length <= length * (1 + 1e-9));
+    const VehiclePath path = drives.path(found, from, pose);
+    CHECK(broken_promise(path, from, pose, limits, reverse) == "");
+    CHECK(path.length() == Approx(found.length).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("every drive can be driven by its vehicle, the shortest ones too") {
+  const auto space = InflatedSpace::build({.bounds = {{-50, -50}, {50, 50}}}).value();
+  const SteeringLimits limits{2, 0.25};
+  for (const bool reverse : {false, true}) {
+    const ContinuousDrives drives(limits, reverse);
+    for (const double x : {0.0, 1e-15, 3e-14, 1e-12, 1e-9, 1e-6, 0.01, 0.5, 1.0, 1.9, 2.0}) {
+      INFO("x " << x << ", reverse " << reverse);
+      const Pose to{{x, 0}, 0};
+      const ContinuousWord word = drives.word({}, to);
+      CHECK(word.length <= x + 1e-12);
+      CHECK(certify(space, Vehicle::point(2, reverse), drives.path(word, {}, to)).is_drivable);
+      CHECK(certify(space, Vehicle::point(2, reverse), drives.path(to, {})).is_drivable);
+    }
+  }
+  const Pose turned{{1, 1}, 1e3};
+  CHECK(
+      certify(space, Vehicle::point(2), ContinuousDrives(limits).path(turned, turned)).is_drivable);
 }
 
 TEST_CASE("very sharp clothoids give the lengths of Dubins") {

@@ -35,7 +35,8 @@ namespace detail {
 
 /// Headings of consecutive pieces may differ by so much [rad].
 inline constexpr double heading_tolerance = 1e-9;
-/// The ends of a piece may lie off its curve by so much, relative to its coordinates.
+/// The ends of a piece may lie off its curve by so much, relative to its coordinates and to the
+/// turning radius, in which centres of turns are computed.
 inline constexpr double gap_tolerance = 1e-12;
 
 /// The largest distance of a piece's stored ends from the curve that its numbers define [m].
@@ -64,7 +65,8 @@ inline void measure_driving(const Vehicle& vehicle, const VehiclePath& path,
     const double magnitude = max_magnitude(start_of(pieces[i])) + max_magnitude(end_of(pieces[i]));
     const double gap = pieces[i].visit([](const auto& piece) { return end_gap(piece); });
     const double length = path.curve.length_before(i + 1) - path.curve.length_before(i);
-    possible = possible && gap <= gap_tolerance * (1e-3 + magnitude + length);
+    const double scale = 1e-3 + magnitude + length + vehicle.min_turning_radius;
+    possible = possible && gap <= gap_tolerance * scale;
     certificate.max_curvature = std::max(certificate.max_curvature, max_curvature(pieces[i]));
     if (const Arc* arc = pieces[i].get_if<Arc>(); arc != nullptr && arc->radius == 0) {
       possible = possible && (arc->sweep == 0 || vehicle.min_turning_radius == 0);

@@ -46,9 +46,9 @@ struct ContinuousWord {
 /// straight moves. The curvature is 0 at both ends and at cusps, so the wheels never turn while the
 /// vehicle stands.
 ///
-/// Words are a turn, a straight move and a turn, or three turns, each move in either gear. Among
-/// them are the counterparts of all words of Dubins; those of Reeds and Shepp with four and five
-/// moves are not.
+/// Words are a turn, a straight move and a turn; a turn between two straight moves; and three
+/// turns, each move in either gear. Among them are the counterparts of all words of Dubins; those
+/// of Reeds and Shepp with four and five moves are not.
 ///
 /// Source: Fraichard and Scheuer 2004, "From Reeds and Shepp's to continuous-curvature paths".
 class ContinuousDrives {
@@ -57,7 +57,7 @@ class ContinuousDrives {
 
   /// \pre both limits are positive and finite
   explicit ContinuousDrives(const SteeringLimits& limits, bool reverse = false)
-      : turn_(limits), reverse_(reverse) {}
+      : turn_(limits), radius_(limits.min_turning_radius), reverse_(reverse) {}
 
   /// The length of a move [m].
   double length(const SteeringMove& move) const {
@@ -67,12 +67,16 @@ class ContinuousDrives {
 
   /// The shortest of these words from one pose to another; among those whose lengths differ by less
   /// than 1e-10 of themselves, the first. Empty only if the poses are equal up to rounding.
-  /// \pre the poses are finite
+  /// \pre the poses are finite, and their coordinates below 1e150
   ContinuousWord word(const Pose& from, const Pose& to) const;
+
+  /// The shortest word for each pair of gears in which a drive starts and ends; of infinite length
+  /// where there is none. \pre that of `word`
+  std::array<ContinuousWord, 4> words(const Pose& from, const Pose& to) const;
 
   /// The path of a word from `word(from, to)`: it starts and ends exactly at these positions, with
   /// headings within 1e-12 rad of those of the poses if coordinates are not large beside the
-  /// turning radius. The last piece of a joint between the parts from both ends takes the rounding.
+  /// turning radius. It is built from both ends; one piece takes the rounding.
   /// A word without moves is an arc of sweep 0.
   VehiclePath path(const ContinuousWord& word, const Pose& from, const Pose& to) const;
 
@@ -84,7 +88,11 @@ class ContinuousDrives {
  private:
   struct Search;
 
+  /// Appends a move from a pose, and returns the pose at its end.
+  Pose append(const Pose& from, const SteeringMove& move, VehiclePath& path) const;
+
   detail::ContinuousTurn turn_;
+  double radius_;  // the least that may be turned [m]
   bool reverse_;
 };
 
@@ -92,11 +100,11 @@ class ContinuousDrives {
 struct ContinuousDrives::Search {
   const ContinuousDrives& drives;
   const detail::ContinuousTurn& turn;
-  std::span<const double> gears;  // 1: forward, -1: reverse
-  double start, goal;             // headings [rad]
-  Point ends;                     // from one position to the other
-  double rounding;                // of positions [m]
-  ContinuousWord best{};
+  std::span<const double> gears;         // 1: forward, -1: reverse
+  double start, goal;                    // headings [rad]
+  Point ends;                            // from one position to the other
+  double rounding;                       // of positions [m]
+  std::array<ContinuousWord, 4> best{};  // by the gears of the first and the last move
 
   /// The vector between the centres of the first and the last turn, on these sides, in these gears.
   Point centres(double first, double first_gear, double last, double last_gear) const {
@@ -118,7 +126,7 @@ struct ContinuousDrives::Search {
             gear * (angle < 0 ? angle + 2 * std::numbers::pi : angle)};
   }
 
-  /// Keeps the word of these moves if it is the shortest so far.
+  /// Keeps the word of these moves if it is the shortest so far in its gears.
   void offer(std::span<const SteeringMove> moves) {
     ContinuousWord word;
     for (const SteeringMove& move : moves) word.push_back(move, 16 * rounding);
@@ -127,14 +135,41 @@ struct ContinuousDrives::Search {
       if (gears.size() == 1 && word.moves[i].length < 0) return;
       word.length += drives.length(word.moves[i]);
     }
-    if (word.length < (1 - detail::steering_tie) * best.length) best = word;
+    if (word.size == 0) return;
+    const auto in_reverse = [](const SteeringMove& move) { return move.length < 0 ? 1u : 0u; };
+    ContinuousWord& kept =
+        best[2 * in_reverse(word.moves[0]) + in_reverse(word.moves[word.size - 1])];
+    if (word.length < (1 - detail::steering_tie) * kept.length) kept = word;
   }
 
-  /// One turn, if both ends lie on one circle.
+  /// A straight move alone, if the goal lies ahead or behind in the same heading.
+  void with_one_move() {
+    const double c = std::cos(start), s = std::sin(start);
+    if (std::abs(detail::wrapped_angle(goal - start)) > detail::steering_rounding ||
+        std::abs(c * ends.y() - s * ends.x()) > 4 * rounding) {
+      return;
+    }
+    offer(std::array{SteeringMove{Steering::straight, c * ends.x() + s * ends.y()}});
+  }
+
+  /// A turn between straight moves, which lie on the lines of both poses.
   void with_one_turn(double side) {
+    const Point ahead{std::cos(start), std::sin(start)}, behind{std::cos(goal), std::sin(goal)};
     for (const double gear : gears) {
-      if (centres(side, gear, side, gear).norm() > 16 * rounding) continue;
-      offer(std::array{turn_between(start, goal, side, gear, 0)});
+      const SteeringMove move = turn_between(start, goal, side, gear, 0);
+      if (move.steering == Steering::straight) continue;
+      const Point rest = centres(side, gear, side, gear);  // the sum of both straight moves
+      const double across = cross(ahead, behind);
+      const SteeringMove first{Steering::straight, cross(rest, behind) / across};
+      const SteeringMove last{Steering::straight, cross(ahead, rest) / across};
+      if (std::abs(across) > 1e-6) offer(std::array{first, move, last});
+      // Where one of them is 0 up to rounding, it would need a gear of its own.
+      if (std::abs(cross(behind, rest)) <= 4 * rounding) {
+        offer(std::array{move, SteeringMove{Steering::straight, behind.dot(rest)}});
+      }
+      if (std::abs(cross(ahead, rest)) <= 4 * rounding) {
+        offer(std::array{SteeringMove{Steering::straight, ahead.dot(rest)}, move});
+      }
     }
   }
 
@@ -189,6 +224,15 @@ struct ContinuousDrives::Search {
 };
 
 inline ContinuousWord ContinuousDrives::word(const Pose& from, const Pose& to) const {
+  ContinuousWord shortest;
+  for (const ContinuousWord& word : words(from, to)) {
+    if (word.length < (1 - detail::steering_tie) * shortest.length) shortest = word;
+  }
+  return shortest;
+}
+
+inline std::array<ContinuousWord, 4> ContinuousDrives::words(const Pose& from,
+                                                             const Pose& to) const {
   static constexpr std::array gears{1.0, -1.0};
   const double magnitude =
       std::fmax(detail::max_magnitude(from.position), detail::max_magnitude(to.position));
@@ -199,10 +243,11 @@ inline ContinuousWord ContinuousDrives::word(const Pose& from, const Pose& to) c
                 detail::wrapped_angle(to.heading),
                 to.position - from.position,
                 0x1p-50 * (magnitude + turn_.radius())};
-  if (search.ends.norm() <= search.rounding &&
+  if (search.ends.norm() <= 16 * search.rounding &&
       std::abs(detail::wrapped_angle(search.goal - search.start)) <= detail::steering_rounding) {
-    return {.length = 0};
+    return {ContinuousWord{.length = 0}};
   }
+  search.with_one_move();
   for (const double side : {1.0, -1.0}) {
     for (const double other : {side, -side}) search.with_straight(side, other);
     search.with_one_turn(side);
@@ -211,23 +256,40 @@ inline ContinuousWord ContinuousDrives::word(const Pose& from, const Pose& to) c
   return search.best;
 }
 
+inline Pose ContinuousDrives::append(const Pose& from, const SteeringMove& move,
+                                     VehiclePath& path) const {
+  if (move.steering != Steering::straight) return turn_.append(from, move, path);
+  const Point end = detail::offset_along(from.position, move.length,
+                                         Point{std::cos(from.heading), std::sin(from.heading)});
+  path.push_back(detail::straight_drive(from, end, move.length / radius_),
+                 detail::gear_of(move.length));
+  return {end, from.heading};
+}
+
 inline VehiclePath ContinuousDrives::path(const ContinuousWord& word, const Pose& from,
                                           const Pose& to) const {
-  if (word.size == 0) return detail::path_without_moves(from, to, turn_.radius());
+  VehiclePath path, back;
+  Pose near = from, far = to;  // where the parts from the start and from the end meet the joint
+  near.heading = detail::wrapped_angle(from.heading);
+  far.heading = detail::wrapped_angle(to.heading);
+  if (word.size == 0) {
+    Arc point = detail::turn_from(near, {Steering::left, 0}, radius_);
+    point.b = to.position;
+    path.push_back(point, Gear::forward);
+    return path;
+  }
   std::size_t joint = word.size / 2;
   for (std::size_t i = 0; i < word.size; ++i) {
     if (word.moves[i].steering == Steering::straight) joint = i;
   }
-  VehiclePath path, back;
-  Pose near = from, far = to;  // where the parts from the start and from the end meet the joint
-  for (std::size_t i = 0; i < joint; ++i) near = turn_.append(near, word.moves[i], path);
+  for (std::size_t i = 0; i < joint; ++i) near = append(near, word.moves[i], path);
   for (std::size_t i = word.size; i-- > joint + 1;) {
     const SteeringMove& move = word.moves[i];
     far = turn_.append(far, {move.steering, -move.length}, back);
   }
   const SteeringMove& middle = word.moves[joint];
   if (middle.steering == Steering::straight) {
-    path.push_back(detail::straight_drive(near, far.position, middle.length / turn_.radius()),
+    path.push_back(detail::straight_drive(near, far.position, middle.length / radius_),
                    detail::gear_of(middle.length));
   } else {
     turn_.append(near, middle, path, far.position);

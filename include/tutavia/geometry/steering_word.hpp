@@ -12,7 +12,7 @@
 #include "tutavia/geometry/vehicle_path.hpp"
 
 /// \file
-/// SteeringWord: a drive with full lock or straight ahead, and its path.
+/// SteeringWord: a drive with full lock or straight ahead, and its path. SteeringLimits.
 
 namespace tutavia {
 
@@ -28,7 +28,9 @@ struct SteeringLimits {
 /// A drive without steering meanwhile.
 struct SteeringMove {
   Steering steering = Steering::straight;
-  double length = 0;  ///< in turning radii, so in radians for turns; negative in reverse
+  /// In turning radii, so in radians for turns; negative in reverse. (A ContinuousWord has straight
+  /// moves in metres.)
+  double length = 0;
 
   /// Change of the heading [rad], left positive.
   double turn() const { return static_cast<double>(steering) * length; }

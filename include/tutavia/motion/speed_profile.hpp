@@ -52,7 +52,7 @@ class SpeedProfile {
     double s = 0;     ///< arc length from the start [m]
     Point position = Point::Zero();
     double heading = 0;       ///< of the motion [rad]
-    double curvature = 0;     ///< 1/m, left turns positive
+    double curvature = 0;     ///< 1/m, left turns positive; where it jumps, that of either side
     double speed = 0;         ///< [m/s]
     double acceleration = 0;  ///< along the curve [m/s^2]
   };

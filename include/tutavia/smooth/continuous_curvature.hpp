@@ -10,8 +10,11 @@
 
 #include "tutavia/certify/certify_vehicle.hpp"
 #include "tutavia/core/budget.hpp"
+#include "tutavia/geometry/clothoid.hpp"
 #include "tutavia/geometry/continuous_drives.hpp"
 #include "tutavia/geometry/curvature.hpp"
+#include "tutavia/geometry/piece.hpp"
+#include "tutavia/geometry/vehicle_path.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/plan/vehicle.hpp"
 #include "tutavia/search/vehicle/drive_chain.hpp"

@@ -77,7 +77,8 @@ inline void CurveLimits::add_stops(const Curve& curve, const SpeedLimits& limits
         const double turn = is_zero(before) ? 0.0 : std::abs(turn_angle(before, direction));
         if (turn > std::numbers::pi - 1e-6) bend = -bend;
         const double steered = is_zero(before) ? 0.0 : std::abs(curvature(p, 0) - bend);
-        const double wait = steered > 1e-9 * largest ? steered / limits.max_curvature_rate : 0.0;
+        const double takes = steered / limits.max_curvature_rate;
+        const double wait = steered > 1e-9 * largest && takes > 1e-9 ? takes : 0.0;  // or rounding
         if (turn > 1e-6 || wait > 0) squares[at] = 0;
         waits[at] = std::max(waits[at], wait);
         before = p.end_direction();

@@ -12,6 +12,7 @@
 
 #include "tutavia/core/budget.hpp"
 #include "tutavia/grid/bitboard/successors.hpp"
+#include "tutavia/grid/movement.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/plan/statistics.hpp"
@@ -54,15 +55,18 @@ class FlowRuns {
     }
   }
 
-  /// Labels all cells that can be reached. Counts cells as expanded. Errors: those of the budget.
+  /// Labels all cells that can be reached. Counts the cells that it labels, again or not, as
+  /// expanded. Errors: those of the budget, which a run of cells may exceed.
   Expected<void, Failure> run(const Budget& budget, Statistics& statistics) {
-    while (!open_->empty()) {
+    for (unsigned runs = 0; !open_->empty(); ++runs) {
       open_->seek_first();
       const auto entry = open_->pop();
       const std::uint64_t label = labels_[entry.node];
       if (LabelWords::tag(label) != entry.tag) continue;  // a cheaper path was found since
       if (statistics.expanded >= budget.max_expansions) return fail(PlanError::budget_exhausted);
-      if (const auto exceeded = budget.exceeded()) return fail(*exceeded);
+      if (runs % 32 == 0) {
+        if (const auto exceeded = budget.exceeded()) return fail(*exceeded);
+      }
       run_from(entry.node, label);
       statistics.expanded += labelled_;
       statistics.generated += labelled_;
@@ -72,6 +76,8 @@ class FlowRuns {
   }
 
  private:
+  static constexpr int longest_run = 32;  // cells
+
   /// Whether runs in this direction send out straight runs on their way.
   bool sends_runs(std::size_t step) const {
     return is_four_connected_ ? steps[step].x == 0 : is_diagonal(step);
@@ -92,7 +98,7 @@ class FlowRuns {
   void run_from(std::uint32_t index, std::uint64_t label) {
     const std::size_t arrival = LabelWords::arrival(label);
     if (arrival == no_step || !sends_runs(arrival)) return run_straight(index, label);
-    while (true) {
+    for (int length = 1;; ++length) {
       ++labelled_;
       unsigned left = table_[arrival][grid_.neighbourhood(index)];
       const bool goes_on = ((left >> arrival) & 1u) != 0;
@@ -109,6 +115,7 @@ class FlowRuns {
       if (!goes_on) return;
       index += offsets_[arrival];
       label = stepped(label, arrival);
+      if (length == longest_run) return reach(index, label);
       if (!labels_.improve(index, label)) return;
     }
   }
@@ -116,7 +123,7 @@ class FlowRuns {
   /// Labels the run from a cell on; steps to other directions wait in the open list.
   void run_straight(std::uint32_t index, std::uint64_t label) {
     const std::size_t arrival = LabelWords::arrival(label);
-    while (true) {
+    for (int length = 1;; ++length) {
       ++labelled_;
       unsigned left = table_[arrival][grid_.neighbourhood(index)];
       const bool goes_on = arrival != no_step && ((left >> arrival) & 1u) != 0;
@@ -128,6 +135,7 @@ class FlowRuns {
       if (!goes_on) return;
       index += offsets_[arrival];
       label = LabelWords::farther(label, straight_cost);
+      if (length == longest_run) return reach(index, label);
       if (!labels_.improve(index, label)) return;
     }
   }

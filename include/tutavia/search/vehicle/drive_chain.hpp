@@ -37,9 +37,10 @@ class CircularDrives {
   explicit CircularDrives(const Vehicle& vehicle)
       : radius_(vehicle.min_turning_radius), reverse_(vehicle.reverse) {}
 
-  Word word(const Pose& from, const Pose& to) const {
-    return (reverse_ ? reeds_shepp_word(from, to, radius_) : dubins_word(from, to, radius_))
-        .without_rounding();
+  /// The drives that a chain tries between two poses: the shortest one.
+  std::array<Word, 1> words(const Pose& from, const Pose& to) const {
+    return {(reverse_ ? reeds_shepp_word(from, to, radius_) : dubins_word(from, to, radius_))
+                .without_rounding()};
   }
   /// The length of a move [m].
   double length(const SteeringMove& move) const { return radius_ * std::abs(move.length); }
@@ -140,21 +141,27 @@ class DriveChain {
   void collect(std::size_t to) {
     candidates_.clear();
     for (std::size_t from = 0; from < to; ++from) {
-      const Word drive = drives_.word(places_[from], places_[to]);
-      if (drive.size == 0) continue;
-      const Gear first = gear_of(drive.moves[0].length);
-      const std::size_t gear = number(gear_of(drive.moves[drive.size - 1].length));
-      const double cost = cost_of(drive);
-      for (std::size_t before = 0; before < 2; ++before) {
-        const double total = cost_at(from, before) + change(from, before, first) + cost;
-        if (total < ways_[to][gear].cost * (1 - 1e-9)) {
-          candidates_.push_back({total, from, before, gear, drive});
-        }
-      }
+      for (const Word& drive : drives_.words(places_[from], places_[to])) collect(from, to, drive);
     }
     std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
-      return std::tie(a.cost, a.from, a.gear_before) < std::tie(b.cost, b.from, b.gear_before);
+      const bool a_reverses = a.drive.moves[0].length < 0, b_reverses = b.drive.moves[0].length < 0;
+      return std::tie(a.cost, a.from, a.gear_before, a_reverses) <
+             std::tie(b.cost, b.from, b.gear_before, b_reverses);
     });
+  }
+
+  /// Adds a drive, if it is cheaper than the way to its end so far.
+  void collect(std::size_t from, std::size_t to, const Word& drive) {
+    if (drive.size == 0) return;
+    const Gear first = gear_of(drive.moves[0].length);
+    const std::size_t gear = number(gear_of(drive.moves[drive.size - 1].length));
+    const double cost = cost_of(drive);
+    for (std::size_t before = 0; before < 2; ++before) {
+      const double total = cost_at(from, before) + change(from, before, first) + cost;
+      if (total < ways_[to][gear].cost * (1 - 1e-9)) {
+        candidates_.push_back({total, from, before, gear, drive});
+      }
+    }
   }
 
   std::vector<Step> steps() const {
