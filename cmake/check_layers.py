@@ -84,7 +84,6 @@ WITH_BOOST = {
     "geometry/boost_adapt.hpp": "for programs that use Boost.Geometry themselves",
 }
 
-NOT_IN_UMBRELLA = ("any_algorithm.hpp", "registry.hpp")  # for programs that choose by name
 # For programs that choose by name. The header registry.hpp is no umbrella of the folder registry/.
 NOT_IN_UMBRELLA = ("any_algorithm.hpp", "registry.hpp", "registry")
 

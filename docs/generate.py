@@ -46,6 +46,8 @@ class Program:
         self.path = os.path.abspath(path)
 
     def text(self, arguments):
+        if sys.stderr.isatty():
+            print(f"\033[K{arguments[-100:]}", end="\r", file=sys.stderr, flush=True)
         done = subprocess.run(
             [self.path, *arguments.split()], cwd=ROOT, capture_output=True, text=True, check=False
         )
@@ -292,6 +294,8 @@ def main():
         files = generate(
             Program(options.program), pathlib.Path(folder), 1 if options.check else options.rounds
         )
+    if sys.stderr.isatty():
+        print("\033[K", end="", file=sys.stderr)
     there = {f"docs/gallery/{svg.name}" for svg in (ROOT / "docs/gallery").glob("*.svg")}
     stale = sorted(there - files.keys())
     for path, text in files.items():
