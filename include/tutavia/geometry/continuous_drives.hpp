@@ -76,8 +76,8 @@ class ContinuousDrives {
 
   /// The path of a word from `word(from, to)`: it starts and ends exactly at these positions, with
   /// headings within 1e-12 rad of those of the poses if coordinates are not large beside the
-  /// turning radius. It is built from both ends; one piece takes the rounding.
-  /// A word without moves is an arc of sweep 0.
+  /// turning radius. It is built from both ends; one piece takes the rounding. A word without moves
+  /// is an arc of sweep 0.
   VehiclePath path(const ContinuousWord& word, const Pose& from, const Pose& to) const;
 
   /// The shortest path between two poses. \pre the poses are finite
@@ -127,9 +127,11 @@ struct ContinuousDrives::Search {
   }
 
   /// Keeps the word of these moves if it is the shortest so far in its gears.
-  void offer(std::span<const SteeringMove> moves) {
+  void offer(std::span<const SteeringMove> moves) { offer(moves, 16 * rounding); }
+  /// The same, where straight moves of less than `least` are rounding [m].
+  void offer(std::span<const SteeringMove> moves, double least) {
     ContinuousWord word;
-    for (const SteeringMove& move : moves) word.push_back(move, 16 * rounding);
+    for (const SteeringMove& move : moves) word.push_back(move, least);
     word.length = 0;
     for (std::size_t i = 0; i < word.size; ++i) {
       if (gears.size() == 1 && word.moves[i].length < 0) return;
@@ -162,7 +164,9 @@ struct ContinuousDrives::Search {
       const double across = cross(ahead, behind);
       const SteeringMove first{Steering::straight, cross(rest, behind) / across};
       const SteeringMove last{Steering::straight, cross(ahead, rest) / across};
-      if (std::abs(across) > 1e-6) offer(std::array{first, move, last});
+      if (std::abs(across) > 1e-3) {
+        offer(std::array{first, move, last}, 16 * rounding / std::abs(across));
+      }
       // Where one of them is 0 up to rounding, it would need a gear of its own.
       if (std::abs(cross(behind, rest)) <= 4 * rounding) {
         offer(std::array{move, SteeringMove{Steering::straight, behind.dot(rest)}});
