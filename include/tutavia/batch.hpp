@@ -17,6 +17,8 @@ namespace tutavia {
 /// Plans every query in `threads` threads (0: one per core), each with a worker of `planner`.
 /// Results are in query order. Unless a budget expires, they do not depend on the number of
 /// threads.
+///
+/// Example: examples/07_batch.cpp.
 template <class Search, class Smooth, detail::PlannableSpace<Search, Smooth> S>
 std::vector<Expected<Plan, Failure>> plan_batch(const Planner<Search, Smooth>& planner,
                                                 const S& space, std::span<const Query> queries,

@@ -223,6 +223,8 @@ std::vector<AnySmoother<S>> vehicle_smoothers() {
 /// Errors: `invalid_option` for a name or an option that is not known on S, with the nearest one;
 /// for an option given twice; for a text that is no value of the option's type. Values out of range
 /// are answered by the search itself.
+///
+/// Example: examples/05_compare_planners.cpp.
 template <FreeSpace S>
 Expected<AnySearch<S>, Failure> make_search(std::string_view name,
                                             std::span<const OptionText> options = {}) {

@@ -167,6 +167,8 @@ inline bool has_gap(const Curve& curve) {
 /// the rounding error, if larger). A curve that comes closer than the safety radius anywhere is
 /// never `proved`; `violated` names such a point. The result is `undecided` for a curve that is
 /// empty or has a gap between two pieces, or if `budget` runs out.
+///
+/// Example: examples/06_certificate.cpp.
 template <ClearanceSpace S>
 Certificate certify(const S& space, const Curve& curve, const CertifyOptions& options = {},
                     const Budget& budget = {}) {

@@ -13,6 +13,8 @@
 namespace tutavia {
 
 /// Limits of one query, for search, smoothing and certification. The default has no limits.
+///
+/// Example: examples/08_budget.cpp.
 struct Budget {
   using Clock = std::chrono::steady_clock;
 

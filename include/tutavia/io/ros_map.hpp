@@ -98,7 +98,7 @@ inline Point to_map_frame(const RosMap& map, const Point& in_grid) {
 ///
 /// Cells of cost `blocked_at` or more are blocked: use 254 (lethal: an obstacle) if the planner
 /// keeps its own safety radius, 253 (inscribed: a robot centred here collides) if it keeps none.
-/// Lower costs are dropped; for soft costs see clearance_costs. Example: examples/ros_costmap.cpp.
+/// Lower costs are dropped; for soft costs see clearance_costs. Example: examples/03_costmap.cpp.
 /// Errors: `invalid_option` for a `blocked_at` outside 1 to 254; `invalid_input` if there are not
 /// width x height values.
 inline Expected<OccupancyGrid, Failure> grid_from_costmap(std::span<const std::uint8_t> costs,

@@ -78,6 +78,8 @@ inline Expected<RosMap, Failure> parse_ros_map(std::string_view yaml, std::strin
 
 /// Reads a YAML file and its image with `parse_ros_map`. A relative image path starts at the folder
 /// of the YAML file, ~/ at the home folder. Details of failures start with the file's name.
+///
+/// Example: examples/02_ros_map.cpp.
 inline Expected<RosMap, Failure> read_ros_map(const std::filesystem::path& yaml_path) {
   const auto settings = detail::read_file(yaml_path, detail::parse_ros_settings);
   if (!settings) return Unexpected{settings.error()};

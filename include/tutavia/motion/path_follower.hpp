@@ -74,6 +74,8 @@ inline Expected<void, Failure> validate(const PathFollowerOptions& options) {
 ///
 /// Source: Macenski, Singh, Martin and Gines 2023, "Regulated pure pursuit for robot path
 /// tracking"; Coulter 1992, "Implementation of the pure pursuit path tracking algorithm".
+///
+/// Example: examples/10_speed_profile.cpp.
 template <ClearanceSpace S>
 class PathFollower {
  public:

@@ -43,7 +43,7 @@ namespace tutavia {
 /// Source: Bobrow, Dubowsky and Gibson 1985, "Time-optimal control of robotic manipulators along
 /// specified paths", for accelerations that do not depend on the position.
 ///
-/// Example: examples/speed_profile.cpp.
+/// Example: examples/10_speed_profile.cpp.
 class SpeedProfile {
  public:
   /// The state of the robot at one time.

@@ -23,9 +23,9 @@ namespace tutavia {
 /// - Workspaces: A* on the lattice, and TangentGraph where the lattice has no path. A path is found
 ///   wherever one exists, except that an end between two safety zones may leave it `not_proved`;
 ///   `unreachable` is proved. Without a lattice, TangentGraph alone.
-/// - Cells: jump point search, or A* where steps are not diagonal. A path from cell to cell is found
-///   wherever one exists. A disc may find more between cells by TangentGraph, which takes long on
-///   large maps.
+/// - Cells: jump point search, or A* where steps are not diagonal. A path from cell to cell is
+///   found wherever one exists. A disc may find more between cells by TangentGraph, which takes
+///   long on large maps.
 ///
 /// `Route::found_by` names the search that found the path. Errors: those of these searches.
 ///

@@ -20,7 +20,7 @@ namespace tutavia {
 
 /// Receives every node that a search expands or generates, as a point in the plane.
 ///
-/// Example: examples/observers.cpp.
+/// Example: examples/09_observer.cpp.
 template <class O>
 concept Observer = requires(O& o, const Point& p) {
   o.expanded(p);
@@ -47,13 +47,13 @@ concept TakesSide = requires(O& o, const Segment& from, const Box& grown, Search
 /// cells from which it grew. The rectangle spans the reference points of its corner cells. An
 /// observer whose `on_rectangle` takes a SearchSide as third argument is told the side as well.
 ///
-/// Example: examples/observers.cpp.
+/// Example: examples/09_observer.cpp.
 template <class O>
 concept RectangleObserver = Observer<O> &&(detail::TakesRectangle<O> || detail::TakesSide<O>);
 
 /// An observer that also receives every improved path that a search finds, and its cost.
 ///
-/// Example: examples/observers.cpp.
+/// Example: examples/09_observer.cpp.
 template <class O>
 concept AnytimeObserver = Observer<O> && requires(O& o, const Curve& path, double cost) {
   o.improved(path, cost);
@@ -70,7 +70,7 @@ struct NoObserver {
 /// exactly those of the query. `search` stays within the query's budget. The answer to a query does
 /// not depend on the contents of the scratch.
 ///
-/// Example: examples/own_searcher.cpp.
+/// Example: examples/11_own_searcher.cpp.
 template <class A, class S>
 concept Searcher = std::copyable<A> && std::default_initializable<typename A::Scratch> &&
     requires(const A& a, const S& space, const Query& query, typename A::Scratch& scratch,

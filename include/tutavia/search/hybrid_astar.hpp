@@ -47,7 +47,7 @@ namespace tutavia {
 /// Source: Dolgov, Thrun, Montemerlo and Diebel 2010, "Path planning for autonomous vehicles in
 /// unknown semi-structured environments". Here moves and drives are proved, and headings are exact.
 ///
-/// Example: examples/car.cpp.
+/// Example: examples/13_car.cpp.
 struct HybridAStar {
   static constexpr std::string_view name = "hybrid_astar";
   static constexpr bool plans_vehicles = true;

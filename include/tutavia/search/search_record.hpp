@@ -15,6 +15,8 @@
 namespace tutavia {
 
 /// The events of a search, in order; for pictures and traces.
+///
+/// Example: examples/09_observer.cpp.
 struct SearchRecord {
   /// One event of a search.
   struct Event {

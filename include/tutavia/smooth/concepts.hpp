@@ -20,7 +20,7 @@ namespace tutavia {
 /// to another one in free space with the same ends, never longer than its documented bound. It is
 /// deterministic and stays within the budget.
 ///
-/// Example: examples/own_smoother.cpp.
+/// Example: examples/12_own_smoother.cpp.
 template <class A, class S>
 concept Smoother = std::copyable<A> &&
     requires(const A& a, const S& space, const Curve& curve, const Budget& budget) {

@@ -47,7 +47,7 @@ namespace tutavia {
 /// negative cusp_cost and less than 2 or more than 1000 places; `not_proved`; those of the budget
 /// while there is no chain, otherwise the best one so far is returned.
 ///
-/// Example: examples/car.cpp.
+/// Example: examples/13_car.cpp.
 struct ContinuousCurvature {
   static constexpr std::string_view name = "continuous_curvature";
 

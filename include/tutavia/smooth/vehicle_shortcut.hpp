@@ -35,7 +35,7 @@ namespace tutavia {
 /// Errors: `invalid_option` for a weight below 1, a negative cusp_cost and less than 2 or more than
 /// 1000 places.
 ///
-/// Example: examples/car.cpp.
+/// Example: examples/13_car.cpp.
 struct VehicleShortcut {
   static constexpr std::string_view name = "vehicle_shortcut";
 

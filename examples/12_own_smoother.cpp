@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Your own smoother: drops every second waypoint if that is safe. The planner proves the result.
+// A smoother of your own: drops every second waypoint where that is safe. The planner proves the
+// result, and falls back to the route of the search if it cannot.
 
+#include <iomanip>
 #include <iostream>
 #include <string_view>
 #include <tutavia/tutavia.hpp>
@@ -24,13 +26,19 @@ struct EverySecond {
   }
 };
 
+static_assert(tutavia::Smoother<EverySecond, tutavia::LatticeSpace>);
+
 int main() {
-  static_assert(tutavia::Smoother<EverySecond, tutavia::LatticeSpace>);
   const tutavia::Scene scene = tutavia::maps::complex();
   const auto space =
       tutavia::LatticeSpace::build(scene.workspace, {.resolution = scene.resolution}).value();
   tutavia::Planner planner{tutavia::AStar{}, EverySecond{}};
-  const auto plan = planner.plan(space, {.start = scene.start, .goal = scene.goals[0]}).value();
-  std::cout << "route " << plan.route.cost << " m, smoothed " << plan.metrics.length << " m, "
-            << (plan.fell_back ? "fell back to the route\n" : "proved\n");
+  const auto plan = planner.plan(space, {.start = scene.start, .goal = scene.goals[0]});
+  if (!plan) {
+    std::cerr << plan.error() << '\n';
+    return 1;
+  }
+  std::cout << std::fixed << std::setprecision(2) << "route " << plan->route.cost << " m, smoothed "
+            << plan->metrics.length << " m, "
+            << (plan->fell_back ? "fell back to the route\n" : "proved\n");
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-/// \file
-/// A car parks backwards into a bay: headings, a turning radius and a footprint, all of it proved.
+// A car parks in a bay: headings, a turning radius and a footprint, all of it proved. Then the same
+// with continuous curvature, so that its wheels turn while it rolls.
 
+#include <iomanip>
 #include <iostream>
 #include <numbers>
 #include <tutavia/tutavia.hpp>
 
 int main() {
   using namespace tutavia;
+  std::cout << std::fixed << std::setprecision(2);
   const auto block = [](double x0, double y0, double x1, double y1) {
     return Polygon{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
   };
@@ -17,11 +19,12 @@ int main() {
 
   // 4.5 x 1.8 m, axles 2.7 m apart, turning radius 5 m; the middle of the rear axle is planned.
   const Vehicle car = Vehicle::car(4.5, 1.8, 2.7, 5);
+  const Query query{.start = {-8, 1.5},
+                    .goal = {0, -4.6},
+                    .start_heading = 0,
+                    .goal_heading = std::numbers::pi / 2};
   Planner planner{HybridAStar{.vehicle = car}, VehicleShortcut{}};
-  const auto plan = planner.plan(space, {.start = {-8, 1.5},
-                                         .goal = {0, -4.6},
-                                         .start_heading = 0,
-                                         .goal_heading = std::numbers::pi / 2});
+  const auto plan = planner.plan(space, query);
   if (!plan) {
     std::cerr << plan.error() << '\n';
     return 1;
@@ -38,10 +41,7 @@ int main() {
 
   // With full lock after 2 m of way the wheels turn while the car rolls, never while it stands.
   Planner steady{HybridAStar{.vehicle = car}, ContinuousCurvature{.max_sharpness = 0.1}};
-  const auto smooth = steady.plan(space, {.start = {-8, 1.5},
-                                          .goal = {0, -4.6},
-                                          .start_heading = 0,
-                                          .goal_heading = std::numbers::pi / 2});
+  const auto smooth = steady.plan(space, query);
   if (!smooth || smooth->fell_back) {
     std::cerr << "no path of continuous curvature\n";
     return 1;
