@@ -10,6 +10,7 @@ but times, which differ from run to run.
 """
 
 import argparse
+import functools
 import json
 import os
 import pathlib
@@ -26,7 +27,7 @@ CAR = (
     "--workspace tests/data/parking.json --start=-8,1.5,0 --goal 0,-4.6,90 --turning-radius 5 "
     "--reverse --footprint car:4.5,1.8,2.7"
 )
-TIME = re.compile(r"\d[\d.]* (?:us|ms|s)\b")
+TIME = re.compile(r"\d[\d.]* (?:us|ms|s)\b(?: \| [\d.–]+ \|$)?", re.MULTILINE)
 
 # What the README shows of each task: the command, and the algorithms as C++.
 CHOICES = [
@@ -149,6 +150,7 @@ def time_text(micros):
     return f"{micros / 1000:.1f} ms" if micros >= 1000 else f"{micros:.0f} us"
 
 
+@functools.lru_cache(maxsize=None)
 def median_figures(program, arguments, rounds):
     """The figures of one plan, with the medians of its times."""
     runs = [figures(program.result(arguments)) for _ in range(rounds)]
@@ -164,17 +166,19 @@ def gallery(program, comments, pictures, rounds):
         "",
         "Every search and smoother on one task, drawn by `tutavia-plan`: the built-in map `maze`; for",
         "those of grid maps [rooms.map](images/rooms.map), and for vehicles a bay. `docs/generate.py`",
-        "writes this page. Ratios are lengths over the shortest path, which the library knows. Times are",
-        "medians of one machine, and tell no more than orders of magnitude on so small a map;",
-        "[performance.md](performance.md) measures on large ones.",
+        "writes this page. Ratios are lengths over the shortest path, which the library knows. Times of",
+        "the search, or of the smoother alone, are medians of one machine, and tell no more than orders",
+        "of magnitude on so small a map; [performance.md](performance.md) measures on large ones.",
         "",
     ]
+    astar = median_figures(program, f"{WORKSPACE} --search astar --smoother none", rounds)
     for kind, title in (("search", "Searches"), ("smoother", "Smoothers")):
         rows = [
             f"## {title}",
             "",
-            "| name | length m | / optimum | largest curvature 1/m | clearance m | expanded | time |",
-            "|---|---|---|---|---|---|---|",
+            "| name | length m | / optimum | largest curvature 1/m | clearance m | expanded | time "
+            "| / A\\* |",
+            "|---|---|---|---|---|---|---|---|",
         ]
         sections = []
         for _, name, where in (n for n in program.names() if n[0] == kind):
@@ -185,9 +189,12 @@ def gallery(program, comments, pictures, rounds):
             program.text(f"{arguments} --svg {svg}")
             plain = re.sub(r" --(steps|show) \S+", "", arguments)
             got = median_figures(program, plain, rounds)
-            took = time_text(got["search_us"] if kind == "search" else got["smooth_us"])
+            micros = got["search_us"] if kind == "search" else got["smooth_us"]
+            is_same_map = where in ("both", "workspace")
+            to_astar = f"{micros / astar['search_us']:.2f}" if is_same_map else "–"
             cells = [got[k] for k in ("length", "ratio", "curvature", "clearance", "expanded")]
-            rows.append(f"| [{name}](#{name}) | " + " | ".join(cells) + f" | {took} |")
+            rows.append(f"| [{name}](#{name}) | " + " | ".join(cells)
+                        + f" | {time_text(micros)} | {to_astar} |")
             paragraph = next(comments.paragraphs(name)) if name in comments.by_name else None
             if paragraph is None:
                 paragraph = sentence(program, name)
