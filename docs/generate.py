@@ -32,7 +32,7 @@ TIME = re.compile(r"\d[\d.]* (?:us|ms|s)\b(?: \| [\d.–]+ \|$)?", re.MULTILINE)
 # What the README shows of each task: the command, and the algorithms as C++.
 CHOICES = [
     ("polygons, the shortest path", "TangentGraph", f"{WORKSPACE} --search tangent_graph --smoother none"),
-    ("polygons, many queries", "AStar, TautString", f"{WORKSPACE} --search astar --smoother taut_string"),
+    ("many polygons", "AStar, TautString", f"{WORKSPACE} --search astar --smoother taut_string"),
     ("grid map", "Jps, ClothoidSmoother", f"{GRID} --search jps --smoother clothoid"),
     ("grid map, any angle", "AnyAngle", f"{GRID} --search any_angle --smoother none"),
     ("car", "HybridAStar, VehicleShortcut", f"{CAR} --search hybrid_astar"),
@@ -50,14 +50,14 @@ class Program:
         if sys.stderr.isatty():
             print(f"\033[K{arguments[-100:]}", end="\r", file=sys.stderr, flush=True)
         done = subprocess.run(
-            [self.path, *arguments.split()], cwd=ROOT, capture_output=True, text=True, check=False
+            [self.path, *arguments.split()], cwd=ROOT, capture_output=True, encoding="utf-8", check=False
         )
         if done.returncode != 0:
             sys.exit(f"generate.py: tutavia-plan {arguments}: {done.stderr.strip()}")
         return done.stdout
 
-    def result(self, arguments):
-        return json.loads(self.text(arguments + " --json -"))["results"][0]
+    def results(self, arguments):
+        return json.loads(self.text(arguments + " --json -"))["results"]
 
     def names(self):
         """(kind, name, where) of every algorithm; where: both, workspace, grid, vehicle."""
@@ -92,7 +92,7 @@ class Comments:
 
     def read(self, header):
         comment, entity = [], None
-        for line in header.read_text().splitlines():
+        for line in header.read_text(encoding="utf-8").splitlines():
             if line.startswith("///"):
                 comment.append(line[3:].removeprefix(" "))
                 continue
@@ -152,11 +152,12 @@ def time_text(micros):
 
 @functools.lru_cache(maxsize=None)
 def median_figures(program, arguments, rounds):
-    """The figures of one plan, with the medians of its times."""
-    runs = [figures(program.result(arguments)) for _ in range(rounds)]
+    """The figures of one plan. Times are medians over queries of one process, but the first."""
+    goal = re.search(r"--goal \S+", arguments)[0]
+    runs = [figures(run) for run in program.results(arguments + f" {goal}" * rounds)]
     result = runs[0]
     for key in ("search_us", "smooth_us", "all_us"):
-        result[key] = sorted(run[key] for run in runs)[rounds // 2]
+        result[key] = sorted(run[key] for run in runs[1:])[rounds // 2]
     return result
 
 
@@ -167,8 +168,9 @@ def gallery(program, comments, pictures, rounds):
         "Every search and smoother on one task, drawn by `tutavia-plan`: the built-in map `maze`; for",
         "those of grid maps [rooms.map](images/rooms.map), and for vehicles a bay. `docs/generate.py`",
         "writes this page. Ratios are lengths over the shortest path, which the library knows. Times of",
-        "the search, or of the smoother alone, are medians of one machine, and tell no more than orders",
-        "of magnitude on so small a map; [performance.md](performance.md) measures on large ones.",
+        "the search, or of the smoother alone, are medians over later queries of one process, and tell no",
+        "more than orders of magnitude on so small a map; [performance.md](performance.md) measures on",
+        "large ones.",
         "",
     ]
     astar = median_figures(program, f"{WORKSPACE} --search astar --smoother none", rounds)
@@ -263,13 +265,15 @@ def reference(program, comments):
 
 
 def readme(program, rounds):
-    text = (ROOT / "README.md").read_text()
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
     rows = ["| you have | take | length / optimum | a plan takes |", "|---|---|---|---|"]
     for task, types, arguments in CHOICES:
         got = median_figures(program, arguments, rounds)
         cpp = ", ".join(f"`{name}`" for name in types.split(", "))
         rows.append(f"| {task} | {cpp} | {got['ratio']} | {time_text(got['all_us'])} |")
     begin, end = "<!-- figures: docs/generate.py -->\n", "<!-- end -->"
+    if text.count(begin) != 1:
+        sys.exit(f"generate.py: README.md has no single line {begin.strip()}")
     before, rest = text.split(begin)
     return before + begin + "\n".join(rows) + "\n" + rest[rest.index(end) :]
 
@@ -284,10 +288,10 @@ def generate(program, folder, rounds):
         "docs/gallery.md": gallery(program, comments, pictures, rounds),
         "docs/reference.md": reference(program, comments),
         "README.md": readme(program, rounds),
-        "docs/images/search.svg": (folder / "search.svg").read_text(),
+        "docs/images/search.svg": (folder / "search.svg").read_text(encoding="utf-8"),
     }
     for svg in sorted(pictures.glob("*.svg")):
-        files[f"docs/gallery/{svg.name}"] = svg.read_text()
+        files[f"docs/gallery/{svg.name}"] = svg.read_text(encoding="utf-8")
     return files
 
 
@@ -307,7 +311,7 @@ def main():
     stale = sorted(there - files.keys())
     for path, text in files.items():
         target = ROOT / path
-        old = target.read_text() if target.exists() else ""
+        old = target.read_text(encoding="utf-8") if target.exists() else ""
         if TIME.sub("", old) == TIME.sub("", text):
             if options.check or not TIME.search(text):
                 continue
@@ -315,7 +319,7 @@ def main():
             stale.append(path)
             continue
         target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(text)
+        target.write_text(text, encoding="utf-8")
     if options.check and stale:
         sys.exit("stale: " + ", ".join(stale) + "; run cmake --build BUILD --target gallery")
     if not options.check:

@@ -192,6 +192,8 @@ TEST_CASE("a curve that does not lead from start to goal is no plan, however fre
   const auto failed = searched.plan(space(), query);
   REQUIRE_FALSE(failed);
   CHECK(failed.error().code == PlanError::not_proved);
+  CHECK(failed.error().detail.find("does not lead from the start to the goal") !=
+        std::string::npos);
 }
 
 }  // namespace

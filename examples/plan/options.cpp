@@ -80,7 +80,6 @@ void define_output_options(CLI::App& app, Arguments& args) {
   app.add_flag("--list", args.list, "Print the names of searches and smoothers");
 }
 
-/// Throws a UsageError for a --show that no picture can obey.
 /// Pictures of how a search proceeds are of one query.
 void check_proceeding(const Arguments& args) {
   if (!args.steps && !args.animate) return;
@@ -88,8 +87,11 @@ void check_proceeding(const Arguments& args) {
   if (args.steps && args.animate) throw UsageError{"--steps and --animate are two pictures"};
   if (args.svg.empty()) throw UsageError{option + ": give --svg FILE, too"};
   if (args.compare) throw UsageError{option + ": --compare runs many searches"};
+  if (args.goals.size() > 1) throw UsageError{option + ": give one --goal alone"};
+  if (args.show && args.show->profile) throw UsageError{option + ": it has no profile to --show"};
 }
 
+/// Throws a UsageError for a --show that no picture can obey.
 void check_shown_parts(const Arguments& args) {
   if (!args.show) return;
   if (args.svg.empty()) throw UsageError{"--show is for a picture; give --svg FILE"};

@@ -60,8 +60,9 @@ void add_cells(const Task& task, const CellSpace& space, Workspace& workspace,
   options.cell_size = 0;  // no cell of the picture is a cell of the map
 }
 
-/// Adds what a search recorded. Rectangles of a turned map are outlines round their cells.
-void add_drawings(const Task& task, const Result& result, SvgOptions& options) {
+/// What a search recorded, in the frame of the map. Rectangles of a turned map are outlines round
+/// their cells, which are added to the options.
+SearchRecord drawn_record(const Task& task, const Result& result, SvgOptions& options) {
   using Kind = SearchRecord::Event::Kind;
   SearchRecord record = result.drawings;
   if (const auto* cells = std::get_if<CellSpace>(&task.space); cells && task.frame.is_turned()) {
@@ -73,7 +74,12 @@ void add_drawings(const Task& task, const Result& result, SvgOptions& options) {
     std::erase_if(record.events,
                   [](const SearchRecord::Event& event) { return event.kind == Kind::rectangle; });
   }
-  add_search(options, task.frame.to_map(std::move(record)),
+  return task.frame.to_map(std::move(record));
+}
+
+/// Adds what a search recorded.
+void add_drawings(const Task& task, const Result& result, SvgOptions& options) {
+  add_search(options, drawn_record(task, result, options),
              result.plan ? result.plan->route.curve : Curve{});
 }
 
@@ -109,7 +115,7 @@ const Result& only_result(const Arguments& args, const std::vector<Group>& group
 /// Draws how the search of a plan proceeds.
 void draw_search(const Arguments& args, const Task& task, const Result& result,
                  const Workspace& workspace, SvgOptions& options) {
-  const SearchRecord record = task.frame.to_map(result.drawings);
+  const SearchRecord record = drawn_record(task, result, options);
   options.labels.push_back(label_of(result, 1));
   throw_failure(detail::write_file(
       args.svg, args.animate ? to_animated_svg(workspace, *result.plan, record, options)

@@ -117,9 +117,13 @@ class Planner {
     stats.certify_us = watch.lap();
     if (query.budget.cancelled()) return failed({.code = PlanError::cancelled});
     if (plan.certificate.status != ProofStatus::proved) {
-      return failed({.code = PlanError::not_proved,
-                     .detail = "the route's certificate is " +
-                               std::string(to_string(plan.certificate.status))});
+      return failed(
+          {.code = PlanError::not_proved,
+           .detail =
+               leads_to_goal(plan, query)
+                   ? "the route's certificate is " + std::string(to_string(plan.certificate.status))
+                   : "the route does not lead from the start to the goal, or not in "
+                     "the query's headings"});
     }
     plan.metrics = measure(plan.curve, plan.certificate, plan.gears);
     plan.stats = stats;
@@ -176,13 +180,10 @@ class Planner {
   template <class S>
   void prove(const S& space, const Query& query, Plan& plan, const Budget& budget) const {
     plan.certificate = {};
-    if (plan.curve.empty() || plan.curve.start() != query.start || plan.curve.end() != query.goal) {
-      return;
-    }
+    if (!leads_to_goal(plan, query)) return;
     if constexpr (PlansVehicles<Search>) {
       if (plan.route.vehicle) {
         const VehiclePath path{plan.curve, plan.gears};
-        if (!has_headings(path, query)) return;
         const auto proof = certify(space, *plan.route.vehicle, path, {}, budget);
         plan.certificate = proof.clearance;
         plan.certificate.status = proof.status;
@@ -192,11 +193,16 @@ class Planner {
     plan.certificate = certify(space, plan.curve, {}, budget);
   }
 
-  /// Whether a path starts and ends in the headings that the query has. \pre not empty
-  static bool has_headings(const VehiclePath& path, const Query& query) {
+  /// Whether the curve leads from start to goal, that of a vehicle in the headings of the query.
+  static bool leads_to_goal(const Plan& plan, const Query& query) {
+    if (plan.curve.empty() || plan.curve.start() != query.start || plan.curve.end() != query.goal) {
+      return false;
+    }
+    if (!plan.route.vehicle) return true;
+    const VehiclePath path{plan.curve, plan.gears};
     const auto is_equal = [](const std::optional<double>& asked, double heading) {
-      return !asked ||
-             std::abs(detail::wrapped_angle(*asked - heading)) <= detail::heading_tolerance;
+      return !asked || std::abs(detail::wrapped_angle(detail::wrapped_angle(*asked) - heading)) <=
+                           detail::heading_tolerance;
     };
     return path.gears.size() == path.curve.pieces().size() &&
            is_equal(query.start_heading, path.start().heading) &&

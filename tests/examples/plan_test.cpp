@@ -712,7 +712,7 @@ TEST_CASE("the option --help-NAME prints the options of any algorithm") {
       ++names;
     }
   }
-  CHECK(names == 36 + 3);  // of which `none` stands twice
+  CHECK(names == 36 + 4);  // of which `none` stands twice
   const Outcome tree = folder.run("--help-rrt_star");
   CHECK(lines(tree.out) == 8);  // the name, how options are given, the head and five options
   CHECK(contains(tree.out, "iterations "));
@@ -871,7 +871,7 @@ TEST_CASE("the legend calls curves as the user wrote the algorithms, with goal a
   CHECK(contains(read(folder / "p.svg"), ">auto, clothoid, to (10, 15.2), 1"));
 }
 
-TEST_CASE("--animate and --steps draw how the search of one query proceeds") {
+TEST_CASE("a picture shows how the search of one query proceeds, animated or in steps") {
   const Folder folder;
   const std::string task = "--map maze --goal 14,6 --search astar ";
   REQUIRE(folder.run(task + "--animate --svg a.svg").code == 0);
@@ -883,6 +883,7 @@ TEST_CASE("--animate and --steps draw how the search of one query proceeds") {
   for (const auto& [line, error] : {std::pair{"--map maze --steps 3", "--steps: give --svg FILE"},
                                     {"--map maze --animate --svg m.svg", "--animate: give one"},
                                     {"--map maze --steps 1 --svg m.svg", "--steps"},
+                                    {"--map maze --steps 3 --show profile --svg m.svg", "profile"},
                                     {"--map maze --steps 3 --animate --svg m.svg", "two pictures"},
                                     {"--compare --animate --svg m.svg", "--compare runs many"}}) {
     const Outcome outcome = folder.run(line);

@@ -158,11 +158,12 @@ TEST_CASE(
   INFO(vehicle.err);
   REQUIRE(vehicle.code == 0);
   const json results = json::parse(folder.read("r.json"))["results"];
-  CHECK(results.size() == 2 + 2 * 2);  // two goals; one search, then two smoothers
+  CHECK(results.size() == 2 + 2 * 3);  // two goals; one search, then three smoothers
   for (const json& result : results) CHECK(result["search"] == "hybrid_astar");
   CHECK(shows(vehicle.out, "\nhybrid_astar "));
   CHECK(shows(vehicle.out, "\nnone "));
   CHECK(shows(vehicle.out, "\nvehicle_shortcut "));
+  CHECK(shows(vehicle.out, "\ncontinuous_curvature "));
   CHECK_FALSE(shows(vehicle.out, "nan"));
   CHECK_FALSE(shows(vehicle.out, "\nastar "));
   const Outcome options =

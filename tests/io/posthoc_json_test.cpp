@@ -13,11 +13,11 @@
 namespace {
 
 using namespace tutavia;
-using Json = nlohmann::ordered_json;
+using PosthocJson = nlohmann::ordered_json;
 
-std::size_t count(const Json& trace, const std::string& type) {
+std::size_t count_events(const PosthocJson& trace, const std::string& type) {
   std::size_t n = 0;
-  for (const Json& event : trace["events"]) n += event["type"] == type ? 1 : 0;
+  for (const PosthocJson& event : trace["events"]) n += event["type"] == type ? 1 : 0;
   return n;
 }
 
@@ -28,18 +28,19 @@ TEST_CASE("a trace for Posthoc has what its schema requires, and every event of 
   SearchRecord record;
   const auto plan =
       planner.plan(space, {.start = scene.start, .goal = scene.goals[0]}, record).value();
-  const Json trace = posthoc_trace(scene.workspace, scene.start, scene.goals[0], record, &plan);
+  const PosthocJson trace =
+      posthoc_trace(scene.workspace, scene.start, scene.goals[0], record, &plan);
   CHECK(trace["version"] == "1.4.0");
   REQUIRE(trace["views"]["main"].is_array());
-  for (const Json& view : trace["views"]["main"]) CHECK(view["$"].is_string());
+  for (const PosthocJson& view : trace["views"]["main"]) CHECK(view["$"].is_string());
   REQUIRE(trace["events"].is_array());
-  for (const Json& event : trace["events"]) CHECK(event["type"].is_string());
-  CHECK(count(trace, "obstacle") == scene.workspace.obstacles.size());
-  CHECK(count(trace, "expanding") == plan.stats.expanded);
-  CHECK(count(trace, "generating") == plan.stats.generated);
-  CHECK(count(trace, "source") == 1);
-  CHECK(count(trace, "curve") == 1);
-  const Json& curve = trace["events"].back()["points"];
+  for (const PosthocJson& event : trace["events"]) CHECK(event["type"].is_string());
+  CHECK(count_events(trace, "obstacle") == scene.workspace.obstacles.size());
+  CHECK(count_events(trace, "expanding") == plan.stats.expanded);
+  CHECK(count_events(trace, "generating") == plan.stats.generated);
+  CHECK(count_events(trace, "source") == 1);
+  CHECK(count_events(trace, "curve") == 1);
+  const PosthocJson& curve = trace["events"].back()["points"];
   CHECK(curve.front()["x"] == scene.start.x());
   CHECK(curve.front()["y"] == -scene.start.y());  // y points down
 }
@@ -49,13 +50,13 @@ TEST_CASE("a trace for Posthoc is cut at its limit, and says so") {
   for (int i = 0; i < 10; ++i) record.expanded({i, 0});
   Workspace workspace;
   workspace.obstacles = {Disc{{1, 2}, 0.5}};
-  const Json trace =
+  const PosthocJson trace =
       posthoc_trace(workspace, {0, 0}, {9, 0}, record, nullptr, {.max_events = 4, .y_down = true});
-  CHECK(count(trace, "expanding") == 4);
-  CHECK(count(trace, "cut") == 1);
+  CHECK(count_events(trace, "expanding") == 4);
+  CHECK(count_events(trace, "cut") == 1);
   CHECK(trace["events"].back()["left_out"] == 6);
   CHECK(trace["events"].front()["y"] == 2);
-  CHECK(count(trace, "curve") == 0);
+  CHECK(count_events(trace, "curve") == 0);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "support/catch.hpp"
+#include "support/text_count.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/smooth/clothoid_smoother.hpp"
 #include "tutavia/space/lattice_space.hpp"
@@ -15,12 +16,7 @@
 namespace {
 
 using namespace tutavia;
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++n;
-  return n;
-}
+using test::count;
 
 struct Drawn {
   Scene scene = maps::maze();

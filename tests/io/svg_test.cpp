@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/text_count.hpp"
 #include "tutavia/search/astar.hpp"
 #include "tutavia/search/safe_rrt_star.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
@@ -19,12 +20,7 @@
 namespace {
 
 using namespace tutavia;
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++n;
-  return n;
-}
+using test::count;
 
 TEST_CASE("a picture shows obstacles, zones of the safety radius, route, curve and marks") {
   const Scene scene = maps::complex();

@@ -17,6 +17,7 @@
 #include "tutavia/io/text/svg_legend.hpp"
 #include "tutavia/io/text/svg_map.hpp"
 #include "tutavia/io/text/svg_paths.hpp"
+#include "tutavia/io/text/svg_picture.hpp"
 #include "tutavia/io/text/svg_style.hpp"
 #include "tutavia/io/text/svg_text.hpp"
 #include "tutavia/io/text/svg_writer.hpp"
@@ -95,15 +96,17 @@ class SvgAnimation {
     SvgMap map(svg_, workspace_, paths);
     map.begin();
     for_each_part([&](const SvgOptions& part) { map.visited(part.visited, options_.cell_size); });
-    if (options_.zones && workspace_.safety_radius > 0) map.safety_zones(workspace_.safety_radius);
-    map.obstacles();
+    draw_areas(map, workspace_, std::span(&plan_, 1), options_);
+    map.lines(options_.outlines, SvgStyle::outline);
     for_each_part([&](const SvgOptions& part) { lines(map, part); });
-    appear(route_time,
-           [&] { map.polyline(plan_.route.curve, SvgStyle::route, 1.6, "fill=\"#7a8794\""); });
+    appear(route_time, [&] { route(map); });
     appear(curve_time, [&] { curve(map, paths); });
     map.end();
     start_symbol(svg_, paths.pixel(plan_.curve.start()));
     goal_symbol(svg_, paths.pixel(plan_.curve.end()), SvgStyle::colour(0));
+    if (!plan_.gears.empty()) {
+      draw_headings(svg_, paths, {plan_.curve, plan_.gears}, SvgStyle::colour(0));
+    }
     robot(paths);
     y += workspace_.bounds.height() * scale_ + 24;
     if (options_.legend) {
@@ -143,17 +146,32 @@ class SvgAnimation {
     }
   }
 
-  static void lines(SvgMap& map, const SvgOptions& part) {
-    map.boxes(part.rectangles, SvgStyle::forward_rectangle);
-    map.boxes(part.goal_rectangles, SvgStyle::backward_rectangle);
+  void lines(SvgMap& map, const SvgOptions& part) const {
+    const CellCentres centres{workspace_.bounds.min, options_.cell_size};
+    map.boxes(whole_cells(part.rectangles, centres), SvgStyle::forward_rectangle);
+    map.boxes(whole_cells(part.goal_rectangles, centres), SvgStyle::backward_rectangle);
     map.lines(part.intervals, SvgStyle::forward_passage);
     map.lines(part.goal_intervals, SvgStyle::backward_passage);
     map.lines(part.tree, SvgStyle::tree("0.7"));
   }
 
-  /// The curve grows from its start.
+  void route(SvgMap& map) const {
+    for (const Curve& path : options_.tree_paths) {
+      map.polyline(path, SvgStyle::tree_path, 2.2, "fill=\"#000000\"");
+    }
+    map.polyline(plan_.route.curve, SvgStyle::route, 1.6, "fill=\"#7a8794\"");
+    if (shows_rectangles(options_)) map.dots(waypoints(plan_.route.curve), 4, SvgStyle::path_node);
+  }
+
+  /// The curve grows from its start; that of a vehicle is there at once, with footprints.
   void curve(SvgMap& map, const SvgPaths& paths) {
-    if (!plan_.gears.empty()) return map.drive({plan_.curve, plan_.gears}, SvgStyle::colour(0));
+    if (!plan_.gears.empty()) {
+      const VehiclePath path{plan_.curve, plan_.gears};
+      if (shows_footprint(plan_, options_)) {
+        map.footprints(*plan_.route.vehicle, path, SvgStyle::colour(0));
+      }
+      return map.drive(path, SvgStyle::colour(0));
+    }
     svg_.raw(
         "<path fill=\"none\" stroke-linejoin=\"round\" pathLength=\"1\" " +
         SvgStyle::curve(SvgStyle::colour(0)) + " d=\"" + paths.of_curve(plan_.curve) +

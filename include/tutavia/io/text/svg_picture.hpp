@@ -26,6 +26,35 @@
 
 namespace tutavia::detail {
 
+/// Rectangles from centre of cell to centre of cell cover these cells.
+inline std::vector<Box> whole_cells(std::vector<Box> boxes, const CellCentres& centres) {
+  for (Box& box : boxes) {
+    if (!centres.cell_at(box.min) || !centres.cell_at(box.max)) continue;
+    box = box.inflated(centres.side / 2);
+  }
+  return boxes;
+}
+
+/// Draws what lies below the lines, but visited nodes: risk zones, buffer, safety zones, obstacles.
+inline void draw_areas(SvgMap& map, const Workspace& workspace, std::span<const Plan> plans,
+                       const SvgOptions& options) {
+  for (const double width : risk_widths(plans, options)) {
+    map.around_obstacles(workspace.safety_radius + width, "#b4bbc2", " opacity=\"0.6\"");
+  }
+  map.boxes(options.buffer, SvgStyle::buffer);
+  if (options.zones && workspace.safety_radius > 0) map.safety_zones(workspace.safety_radius);
+  map.obstacles();
+}
+
+/// Draws the headings at both ends of a vehicle's path.
+inline void draw_headings(SvgWriter& svg, const SvgPaths& paths, const VehiclePath& path,
+                          const std::string& colour) {
+  const Pose start = path.start(), goal = path.end();
+  arrow_symbol(svg, paths.pixel(start.position), paths.direction(start.heading),
+               SvgStyle::start_arrow);
+  arrow_symbol(svg, paths.pixel(goal.position), paths.direction(goal.heading), colour);
+}
+
 /// Draws one picture: the title, the map, the profile and the legend, from the top down.
 class SvgPicture {
  public:
@@ -68,9 +97,11 @@ class SvgPicture {
   void map(const SvgPaths& paths) {
     SvgMap map(svg_, workspace_, paths);
     map.begin();
-    areas(map);
-    map.boxes(whole_cells(options_.rectangles), SvgStyle::forward_rectangle);
-    map.boxes(whole_cells(options_.goal_rectangles), SvgStyle::backward_rectangle);
+    map.visited(options_.visited, options_.cell_size);
+    draw_areas(map, workspace_, plans_, options_);
+    const CellCentres centres{workspace_.bounds.min, options_.cell_size};
+    map.boxes(whole_cells(options_.rectangles, centres), SvgStyle::forward_rectangle);
+    map.boxes(whole_cells(options_.goal_rectangles, centres), SvgStyle::backward_rectangle);
     map.lines(options_.intervals, SvgStyle::forward_passage);
     map.lines(options_.goal_intervals, SvgStyle::backward_passage);
     map.lines(options_.outlines, SvgStyle::outline);
@@ -101,45 +132,18 @@ class SvgPicture {
     }
   }
 
-  /// Rectangles from cell to cell cover these cells.
-  std::vector<Box> whole_cells(std::vector<Box> boxes) const {
-    const CellCentres centres{workspace_.bounds.min, options_.cell_size};
-    for (Box& box : boxes) {
-      if (!centres.cell_at(box.min) || !centres.cell_at(box.max)) continue;
-      box = box.inflated(options_.cell_size / 2);
-    }
-    return boxes;
-  }
-
-  /// Draws everything below the lines.
-  void areas(SvgMap& map) {
-    map.visited(options_.visited, options_.cell_size);
-    for (const double width : risk_widths(plans_, options_)) {
-      map.around_obstacles(workspace_.safety_radius + width, "#b4bbc2", " opacity=\"0.6\"");
-    }
-    map.boxes(options_.buffer, SvgStyle::buffer);
-    if (options_.zones && workspace_.safety_radius > 0) map.safety_zones(workspace_.safety_radius);
-    map.obstacles();
-  }
-
   void ends(const SvgPaths& paths) {
     for (const Point& p : options_.starts) start_symbol(svg_, paths.pixel(p));
     for (const Point& p : options_.goals) goal_symbol(svg_, paths.pixel(p), "#7a8794");
     for (std::size_t i = 0; i < plans_.size(); ++i) {
       const Curve& curve = plans_[i].curve;
       if (curve.empty()) continue;
-      if (!plans_[i].gears.empty()) arrows(paths, {curve, plans_[i].gears}, SvgStyle::colour(i));
+      if (!plans_[i].gears.empty()) {
+        draw_headings(svg_, paths, {curve, plans_[i].gears}, SvgStyle::colour(i));
+      }
       start_symbol(svg_, paths.pixel(curve.start()));
       goal_symbol(svg_, paths.pixel(curve.end()), SvgStyle::colour(i));
     }
-  }
-
-  /// The headings at both ends.
-  void arrows(const SvgPaths& paths, const VehiclePath& path, const std::string& colour) {
-    const Pose start = path.start(), goal = path.end();
-    arrow_symbol(svg_, paths.pixel(start.position), paths.direction(start.heading),
-                 SvgStyle::start_arrow);
-    arrow_symbol(svg_, paths.pixel(goal.position), paths.direction(goal.heading), colour);
   }
 
   const Workspace& workspace_;
