@@ -107,7 +107,7 @@ class Comments:
                 comment = []
 
     def paragraphs(self, name):
-        """The paragraphs of a comment, each as one line or, for lists and code, as it is."""
+        """The paragraphs of a comment, wrapped anew; lists and code are unchanged."""
         _, lines, _ = self.by_name[name]
         text = "\n".join(lines).strip()
         for block in re.split(r"\n\s*\n", text):
@@ -205,6 +205,7 @@ def gallery(program, comments, pictures, rounds):
     return "\n".join(lines).rstrip() + "\n"
 
 
+@functools.lru_cache(maxsize=None)
 def help_of(program, name):
     return program.text(f"--help-{name}").splitlines()
 

@@ -9,6 +9,7 @@
 #include "tutavia/geometry/box.hpp"
 #include "tutavia/geometry/polygon.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
+#include "tutavia/world/workspace.hpp"
 
 /// \file
 /// blocked_boxes: blocked cells as rectangles.
@@ -56,6 +57,14 @@ inline std::vector<Box> blocked_boxes(const OccupancyGrid& cells, const Point& o
 inline Ring corners_of(const Box& box, const MapFrame& frame) {
   return {frame.to_map(box.min), frame.to_map(Point{box.max.x(), box.min.y()}),
           frame.to_map(box.max), frame.to_map(Point{box.min.x(), box.max.y()})};
+}
+
+/// Adds the blocked cells as obstacles, in the frame of the map.
+inline void add_blocked_cells(const OccupancyGrid& cells, const Point& origin, double side,
+                              const MapFrame& frame, Workspace& workspace) {
+  for (const Box& box : blocked_boxes(cells, origin, side)) {
+    workspace.obstacles.emplace_back(Polygon{corners_of(box, frame)});
+  }
 }
 
 }  // namespace plan_program

@@ -46,9 +46,8 @@ std::string for_posthoc(const Task& task, const Result& result, const SearchReco
   PosthocOptions options{.y_down = task.y_down};
   std::visit([&](const auto& space) { options.cell_size = space.frame().resolution; }, task.space);
   if (const auto* cells = std::get_if<CellSpace>(&task.space)) {
-    for (const Box& box : blocked_boxes(cells->cells(), cells->bounds().min, options.cell_size)) {
-      workspace.obstacles.emplace_back(Polygon{corners_of(box, task.frame)});
-    }
+    add_blocked_cells(cells->cells(), cells->bounds().min, options.cell_size, task.frame,
+                      workspace);
   }
   if (record.events.size() > options.max_events) {
     std::cerr << "tutavia-plan: --trace: " << record.events.size() - options.max_events

@@ -46,9 +46,7 @@ void add_cells(const Task& task, const CellSpace& space, Workspace& workspace,
   const Point origin = space.bounds().min;
   const double side = space.frame().resolution;
   const OccupancyGrid& map = task.without_buffer ? *task.without_buffer : space.cells();
-  for (const Box& box : blocked_boxes(map, origin, side)) {
-    workspace.obstacles.emplace_back(Polygon{corners_of(box, frame)});
-  }
+  add_blocked_cells(map, origin, side, frame, workspace);
   if (task.without_buffer) {
     options.buffer = blocked_boxes(newly_blocked(space.cells(), map), origin, side);
   }

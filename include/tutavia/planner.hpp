@@ -52,7 +52,7 @@ concept PlannableSpace = ClearanceSpace<S> && Searcher<Search, S> && Smoother<Sm
 /// during smoothing or its proof, the route is still proved and returned. A cancelled query returns
 /// `cancelled`. If the search avoided a risk zone (SafeRrtStar), the smoothed curve avoids it
 /// wherever the route does. A route that leads through the zone may have to be smoothed in parts,
-/// or left as it is in parts: then what the smoother promises holds for each part alone, and the
+/// or stay unsmoothed in parts: then what the smoother promises holds for each part alone, and the
 /// plan says `fell_back`.
 ///
 /// The route of a vehicle (HybridAStar) is smoothed by a VehicleSmoother and proved for the

@@ -24,14 +24,8 @@ using namespace tutavia;
 
 static_assert(VehicleSmoother<ContinuousCurvature, InflatedSpace>);
 
-InflatedSpace yard() {
-  return InflatedSpace::build(
-             {.bounds = {{0, 0}, {30, 30}}, .safety_radius = 0.2, .obstacles = {Disc{{15, 15}, 4}}})
-      .value();
-}
-
 TEST_CASE("in open space one drive of continuous curvature takes the place of the path") {
-  const auto space = yard();
+  const auto space = test::yard();
   const Vehicle vehicle = Vehicle::car(2, 1, 1.2, 2);
   const Pose start{{3, 3}, 0}, goal{{12, 4}, 1};
   const ContinuousCurvature smoother{.reverse_weight = 1, .cusp_cost = 0};
@@ -76,7 +70,7 @@ TEST_CASE("random vehicles' paths become continuous in curvature, and are proved
 }
 
 TEST_CASE("a path of continuous curvature stays as it is, or gets shorter") {
-  const auto space = yard();
+  const auto space = test::yard();
   const Vehicle vehicle = Vehicle::car(2, 1, 1.2, 2);
   Planner planner{HybridAStar{.vehicle = vehicle}, NoSmoothing{}};
   const auto plan = planner.plan(
@@ -92,7 +86,7 @@ TEST_CASE("a path of continuous curvature stays as it is, or gets shorter") {
 }
 
 TEST_CASE("in a pipeline shortcuts come first, and the planner proves the result") {
-  const auto space = yard();
+  const auto space = test::yard();
   const Vehicle vehicle = Vehicle::car(2, 1, 1.2, 2);
   Planner planner{HybridAStar{.vehicle = vehicle},
                   Pipeline{VehicleShortcut{}, ContinuousCurvature{}}};

@@ -29,14 +29,8 @@ static_assert(VehicleSmoother<VehicleShortcut, InflatedSpace>);
 static_assert(VehicleSmoother<NoSmoothing, InflatedSpace>);
 static_assert(!VehicleSmoother<DeltaSmoother, InflatedSpace>);
 
-InflatedSpace yard() {
-  return InflatedSpace::build(
-             {.bounds = {{0, 0}, {30, 30}}, .safety_radius = 0.2, .obstacles = {Disc{{15, 15}, 4}}})
-      .value();
-}
-
 TEST_CASE("a detour becomes the shortest drive where that is free") {
-  const auto space = yard();
+  const auto space = test::yard();
   const Vehicle vehicle = Vehicle::car(2, 1, 1.2, 2);
   const Pose start{{3, 3}, 0}, by{{4, 12}, 2}, goal{{12, 4}, 1};
   VehiclePath detour = reeds_shepp_path(start, by, 2);
@@ -85,7 +79,7 @@ TEST_CASE("smoothed paths of random vehicles cost less and are proved", "[soak]"
 }
 
 TEST_CASE("a vehicle's plan is refused by smoothers that keep no headings") {
-  const auto space = yard();
+  const auto space = test::yard();
   Planner planner{HybridAStar{}, DeltaSmoother{}};
   const auto plan = planner.plan(space, {.start = {3, 3}, .goal = {27, 27}, .start_heading = 0});
   REQUIRE_FALSE(plan);
@@ -113,7 +107,7 @@ struct Wrapped {
 };
 
 TEST_CASE("a planner never takes the route of a vehicle for that of a point") {
-  const auto space = yard();
+  const auto space = test::yard();
   const HybridAStar car{.vehicle = Vehicle::car(2, 1, 1.2, 2)};
   const Query query{.start = {3, 3}, .goal = {27, 27}, .start_heading = 0, .goal_heading = 0};
   Planner wrapped{Wrapped{car}, NoSmoothing{}};
@@ -158,7 +152,7 @@ TEST_CASE("a planner falls back if a smoother does not keep the headings") {
 }
 
 TEST_CASE("options out of range are refused, and without time the path stays") {
-  const auto space = yard();
+  const auto space = test::yard();
   const VehiclePath path = reeds_shepp_path({{3, 3}, 0}, {{5, 9}, 2}, 2);
   const Vehicle vehicle = Vehicle::point(2, true);
   for (const VehicleShortcut& bad :

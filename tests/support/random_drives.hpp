@@ -5,10 +5,11 @@
 #include "tutavia/core/random.hpp"
 #include "tutavia/plan/query.hpp"
 #include "tutavia/plan/vehicle.hpp"
+#include "tutavia/space/inflated_space.hpp"
 #include "tutavia/world/workspace.hpp"
 
 /// \file
-/// Random worlds with a vehicle, and poses for it.
+/// Worlds for vehicles: random ones with poses, and a yard.
 
 namespace tutavia::test {
 
@@ -34,6 +35,13 @@ inline DriveTask random_drive(WorldGenerator& worlds, Random& random) {
   task.query.goal_heading = random.uniform(-3, 3);
   task.query.budget.max_expansions = 10'000;
   return task;
+}
+
+/// A square of 30 m with a disc of 4 m in the middle.
+inline InflatedSpace yard() {
+  return InflatedSpace::build(
+             {.bounds = {{0, 0}, {30, 30}}, .safety_radius = 0.2, .obstacles = {Disc{{15, 15}, 4}}})
+      .value();
 }
 
 }  // namespace tutavia::test

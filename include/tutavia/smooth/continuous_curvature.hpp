@@ -17,7 +17,6 @@
 #include "tutavia/geometry/vehicle_path.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/plan/vehicle.hpp"
-#include "tutavia/search/vehicle/drive_chain.hpp"
 #include "tutavia/search/vehicle/driving_costs.hpp"
 #include "tutavia/smooth/concepts.hpp"
 #include "tutavia/smooth/vehicle/improve_path.hpp"
@@ -32,7 +31,7 @@ namespace tutavia {
 /// Replaces a vehicle's path by drives of continuous curvature (see ContinuousDrives), each proved
 /// free for the whole footprint.
 ///
-/// The candidates are the joints of the pieces and up to `places` poses at equal steps of arc
+/// The candidates are the ends of the pieces and up to `places` poses at equal steps of arc
 /// length. Dynamic programming finds the cheapest chain of drives between any two of them; straight
 /// parts of the path may stay. The chain is then improved in the same way, between the poses on it
 /// at which the wheels stand straight, while that saves more than a thousandth.
@@ -73,7 +72,7 @@ struct ContinuousCurvature {
     const ContinuousDrives drives(limits, vehicle.reverse);
     detail::FootprintTest footprint(vehicle);
     const auto improve = [&](const VehiclePath& from) {
-      return chained(space, footprint, drives, limits, from, budget);
+      return detail::chain_of(space, footprint, drives, costs(), from, cut(from, limits), budget);
     };
     std::optional<VehiclePath> first = improve(path);
     if (!first) {
@@ -93,77 +92,22 @@ struct ContinuousCurvature {
   }
 
  private:
-  /// The path between two neighbouring candidates.
-  struct Stretch {
-    detail::PathPart part;
-    std::size_t last;  ///< its last piece; if not that of `part`, it is all pieces up to that
-    bool may_stay;     ///< whether its curvature is continuous, and 0 at both ends
-  };
-
   detail::DrivingCosts costs() const { return {1, reverse_weight, cusp_cost}; }
 
-  /// The cheapest chain of drives and of stretches that may stay. Empty if there is none, if the
-  /// budget ends, or if rounding spoils the stretches.
-  template <ClearanceSpace S>
-  std::optional<VehiclePath> chained(const S& space, detail::FootprintTest& footprint,
-                                     const ContinuousDrives& drives, const SteeringLimits& limits,
-                                     const VehiclePath& path, const Budget& budget) const {
-    const std::vector<Stretch> stretches = cut(path, limits);  // number i ends at place i
-    std::vector<Pose> ends;
-    ends.reserve(stretches.size());
-    for (const Stretch& stretch : stretches) {
-      ends.push_back(path.pose(stretch.last, stretch.part.to));
-    }
-    detail::DriveChain chain(drives, costs(), ends);
-    const auto way = chain.cheapest(
-        space, footprint,
-        [&](std::size_t i) -> std::optional<detail::KnownPath> {
-          const Stretch& stretch = stretches[i];
-          if (!stretch.may_stay) return std::nullopt;
-          detail::KnownPath known = detail::known_path(path, stretch.part, costs());
-          for (std::size_t k = stretch.part.piece + 1; k <= stretch.last; ++k) {
-            known.cost += detail::known_path(path, {k, 0, 1}, costs()).cost;
-          }
-          return known;
-        },
-        budget);
-    if (way.empty()) return std::nullopt;
-    VehiclePath result;
-    for (std::size_t i = 0; i < way.size(); ++i) {
-      if (way[i].drive) {
-        result.append(chain.path(*way[i].drive, way[i].from, way[i].to));
-        continue;
-      }
-      Stretch stretch = stretches[way[i].to];  // parts of one piece are joined again
-      while (i + 1 < way.size() && !way[i + 1].drive &&
-             stretches[way[i + 1].to].part.piece == stretch.part.piece) {
-        stretch.part.to = stretches[way[++i].to].part.to;
-      }
-      detail::append_part(path, stretch.part, result);
-      for (std::size_t k = stretch.part.piece + 1; k <= stretch.last; ++k) {
-        detail::append_part(path, {k, 0, 1}, result);
-      }
-    }
-    if (!footprint.is_free(space, result)) return std::nullopt;
-    return result;
-  }
-
-  /// The stretches between neighbouring candidates, after an empty one at the start.
-  std::vector<Stretch> cut(const VehiclePath& path, const SteeringLimits& limits) const {
-    std::vector<Stretch> stretches{{{0, 0, 0}, 0, false}};
-    std::vector<detail::PathPart> parts;
+  /// The parts between neighbouring candidates, after an empty one at the start. Straight ones and
+  /// whole turns of continuous curvature may stay.
+  std::vector<detail::PathPart> cut(const VehiclePath& path, const SteeringLimits& limits) const {
+    std::vector<detail::PathPart> parts{{0, 0, 0, 0}};
     for (std::size_t i = 0; i < path.gears.size(); ++i) {
       const std::optional<std::size_t> last = end_of_turn(path, i, limits);
       if (last && !is_straight(path.curve.pieces()[i])) {
-        stretches.push_back({{i, 0, 1}, *last, true});
+        parts.push_back({i, 0, 1, *last});
         i = *last;
-        continue;
+      } else {
+        detail::cut_piece(path, i, path.length() / places, last.has_value(), parts);
       }
-      parts.clear();
-      detail::cut_piece(path, i, path.length() / places, parts);
-      for (const detail::PathPart& part : parts) stretches.push_back({part, i, last.has_value()});
     }
-    return stretches;
+    return parts;
   }
 
   static bool is_straight(const Piece& piece) {

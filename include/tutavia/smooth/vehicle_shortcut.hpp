@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -25,7 +24,7 @@ namespace tutavia {
 
 /// Replaces parts of a vehicle's path by shortest drives that are proved free.
 ///
-/// The candidates are the joints of the pieces and up to `places` poses at equal steps of arc
+/// The candidates are the ends of the pieces and up to `places` poses at equal steps of arc
 /// length. Dynamic programming finds the cheapest chain of parts of the path and of shortest drives
 /// between any two candidates, each proved. It is repeated while it saves more than a thousandth.
 /// The result never costs more than the input by the weights below, and keeps its ends, its
@@ -51,8 +50,13 @@ struct VehicleShortcut {
     }
     if (!(vehicle.min_turning_radius > 0) || path.empty()) return path;
     detail::FootprintTest footprint(vehicle);
+    const detail::CircularDrives drives(vehicle);
     return detail::improve_path(path, costs(), budget, [&](const VehiclePath& from) {
-      return with_shortcuts(space, vehicle, footprint, from, budget);
+      std::vector<detail::PathPart> parts{{0, 0, 0, 0}};
+      for (std::size_t i = 0; i < from.gears.size(); ++i) {
+        detail::cut_piece(from, i, from.length() / places, true, parts);
+      }
+      return detail::chain_of(space, footprint, drives, costs(), from, parts, budget);
     });
   }
 
@@ -68,41 +72,6 @@ struct VehicleShortcut {
 
  private:
   detail::DrivingCosts costs() const { return {1, reverse_weight, cusp_cost}; }
-
-  /// The cheapest chain of parts of the path and drives between their ends. Empty if the budget
-  /// ends, or if rounding spoils the parts.
-  template <ClearanceSpace S>
-  std::optional<VehiclePath> with_shortcuts(const S& space, const Vehicle& vehicle,
-                                            detail::FootprintTest& footprint,
-                                            const VehiclePath& path, const Budget& budget) const {
-    const auto parts = detail::cut(path, path.length() / places);  // part i ends at place i
-    std::vector<Pose> ends;
-    ends.reserve(parts.size());
-    for (const detail::PathPart& part : parts) ends.push_back(path.pose(part.piece, part.to));
-    const detail::CircularDrives drives(vehicle);
-    detail::DriveChain chain(drives, costs(), ends);
-    const auto way = chain.cheapest(
-        space, footprint,
-        [&](std::size_t i) -> std::optional<detail::KnownPath> {
-          return detail::known_path(path, parts[i], costs());
-        },
-        budget);
-    if (way.empty()) return std::nullopt;
-    VehiclePath result;
-    for (std::size_t i = 0; i < way.size(); ++i) {
-      if (way[i].drive) {
-        result.append(chain.path(*way[i].drive, way[i].from, way[i].to));
-        continue;
-      }
-      detail::PathPart part = parts[way[i].to];  // parts of one piece are joined again
-      while (i + 1 < way.size() && !way[i + 1].drive && parts[way[i + 1].to].piece == part.piece) {
-        part.to = parts[way[++i].to].to;
-      }
-      detail::append_part(path, part, result);
-    }
-    if (!footprint.is_free(space, result)) return std::nullopt;
-    return result;
-  }
 };
 
 }  // namespace tutavia

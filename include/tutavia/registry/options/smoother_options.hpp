@@ -40,7 +40,7 @@ struct EnumNames<RedundantNodeRemoval::Scan> {
 
 template <>
 struct OptionTable<NoSmoothing> {
-  static constexpr std::string_view sentence = "The route as it is";
+  static constexpr std::string_view sentence = "The route, unchanged";
   static constexpr auto fields = option_fields<NoSmoothing>();
 };
 

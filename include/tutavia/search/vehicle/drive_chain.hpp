@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -43,7 +42,7 @@ class CircularDrives {
                 .without_rounding()};
   }
   /// The length of a move [m].
-  double length(const SteeringMove& move) const { return radius_ * std::abs(move.length); }
+  double length(const SteeringMove& move) const { return driven_length(move, radius_); }
   VehiclePath path(const Word& word, const Pose& from, const Pose& to) const {
     return vehicle_path(word, from, to, radius_);
   }
@@ -107,18 +106,6 @@ class DriveChain {
     Word drive;
   };
 
-  /// The cost of a drive [m].
-  double cost_of(const Word& drive) const {
-    double cost = 0;
-    for (std::size_t i = 0; i < drive.size; ++i) {
-      const Gear gear = gear_of(drive.moves[i].length);
-      if (i > 0 && gear != gear_of(drive.moves[i - 1].length)) cost += costs_.cusp;
-      cost += drives_.length(drive.moves[i]) *
-              (gear == Gear::reverse ? costs_.reverse : costs_.forward);
-    }
-    return cost;
-  }
-
   static std::size_t number(Gear gear) { return gear == Gear::forward ? 0 : 1; }
 
   double cost_at(std::size_t place, std::size_t gear) const {
@@ -155,7 +142,8 @@ class DriveChain {
     if (drive.size == 0) return;
     const Gear first = gear_of(drive.moves[0].length);
     const std::size_t gear = number(gear_of(drive.moves[drive.size - 1].length));
-    const double cost = cost_of(drive);
+    const double cost = cost_of(drive, costs_, std::nullopt,
+                                [&](const SteeringMove& move) { return drives_.length(move); });
     for (std::size_t before = 0; before < 2; ++before) {
       const double total = cost_at(from, before) + change(from, before, first) + cost;
       if (total < ways_[to][gear].cost * (1 - 1e-9)) {

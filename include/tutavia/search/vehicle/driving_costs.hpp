@@ -23,16 +23,24 @@ struct DrivingCosts {
   double cusp = 0;     ///< of a change of gear [m]
 };
 
-/// The cost of a word that follows a move in gear `before` [m].
-inline double cost_of(const SteeringWord& word, double radius, const DrivingCosts& costs,
-                      std::optional<Gear> before) {
+/// The length of a move at this turning radius [m]; 0 if it is rounding.
+inline double driven_length(const SteeringMove& move, double radius) {
+  const double length = radius * std::abs(move.length);
+  return length <= steering_rounding * radius ? 0 : length;
+}
+
+/// The cost of a word that follows a move in gear `before` [m]. `length(move)` is the length of a
+/// move [m]; moves of length 0 cost nothing.
+template <class Word, class Length>
+double cost_of(const Word& word, const DrivingCosts& costs, std::optional<Gear> before,
+               const Length& length) {
   double cost = 0;
   for (std::size_t i = 0; i < word.size; ++i) {
-    const double length = radius * word.moves[i].length;
-    if (std::abs(length) <= steering_rounding * radius) continue;
-    const Gear gear = gear_of(length);
+    const double driven = length(word.moves[i]);
+    if (driven == 0) continue;
+    const Gear gear = gear_of(word.moves[i].length);
     if (before && *before != gear) cost += costs.cusp;
-    cost += gear == Gear::reverse ? -costs.reverse * length : costs.forward * length;
+    cost += (gear == Gear::reverse ? costs.reverse : costs.forward) * driven;
     before = gear;
   }
   return cost;

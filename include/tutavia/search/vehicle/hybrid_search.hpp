@@ -234,7 +234,9 @@ class HybridSearch {
     const Pose near = pose(s);
     shots_.clear();
     const auto offer = [&](const SteeringWord& word, double heading) {
-      const double cost = s.cost + cost_of(word, radius_, costs_, gear(s));
+      const double cost = s.cost + cost_of(word, costs_, gear(s), [&](const SteeringMove& move) {
+                            return driven_length(move, radius_);
+                          });
       if (cost < best_.cost) shots_.push_back({from, cost, word, heading, shots_.size()});
     };
     for_each_goal_heading(near, [&](double heading) {
