@@ -50,6 +50,7 @@ SHARED = {
     "core/parts/bytes.hpp": "prepared tables write themselves to files",
     "core/parts/compiler.hpp": "hints to the compiler in inner loops",
     "core/parts/number_text.hpp": "numbers in messages",
+    "core/parts/read_number.hpp": "numbers of files and options",
     "core/parts/parallel.hpp": "loops on several threads",
     "core/parts/remove_redundant.hpp": "searches tidy their paths as a smoother does",
     "core/parts/zeroed_array.hpp": "labels of searches",

@@ -8,4 +8,5 @@
 #include "tutavia/core/budget.hpp"
 #include "tutavia/core/expected.hpp"
 #include "tutavia/core/random.hpp"
+#include "tutavia/core/stop_token.hpp"
 #include "tutavia/core/version.hpp"

@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdint>
 #include <limits>
-#include <stop_token>
 #include <thread>
 
 #include "support/catch.hpp"
@@ -57,7 +56,7 @@ TEST_CASE("a deadline that passes exhausts the budget", "[core]") {
 }
 
 TEST_CASE("a stop request reaches every copy and goes before the deadline", "[core]") {
-  std::stop_source source;
+  StopSource source;
   Budget budget = Budget::for_seconds(0);
   budget.stop = source.get_token();
   const Budget copy = budget;

@@ -89,6 +89,20 @@ TEST_CASE("turns in opposite directions count apart") {
   CHECK(m.turning_angle == Approx(2 * (std::atan(2.0) + pi / 4)).epsilon(1e-6));
 }
 
+TEST_CASE("a turn goes on over a joint that is smooth up to rounding") {
+  const auto turning_points = [](double deflection) {
+    const double heading = pi / 4 + deflection;
+    const Point middle{1.5, 0.5}, ahead{std::cos(heading), std::sin(heading)};
+    Curve curve;
+    curve.push_back(QuadraticBezier{{Point(0, 0), Point(1, 0), middle}});
+    curve.push_back(QuadraticBezier{{middle, middle + ahead, Point(1.5, 3)}});
+    return measure(curve).turning_points;
+  };
+  CHECK(turning_points(1e-13) == 1);
+  CHECK(turning_points(-1e-13) == 1);
+  CHECK(turning_points(-1e-3) == 2);
+}
+
 TEST_CASE("turning and curvature agree with dense sampling, forwards and backwards") {
   const std::uint64_t seed = 6;
   Random random(seed);

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stop_token>
+
+#include "tutavia/core/stop_token.hpp"
 
 /// \file
 /// Budget: limits on the time and work of one query.
@@ -26,7 +27,7 @@ struct Budget {
 
   Clock::time_point deadline = Clock::time_point::max();
   std::uint64_t max_expansions = std::numeric_limits<std::uint64_t>::max();
-  std::stop_token stop{};  ///< cancel from any thread through its std::stop_source
+  StopToken stop{};  ///< cancel from any thread through its StopSource
 
   /// A budget that ends `seconds` from now.
   static Budget for_seconds(double seconds) {

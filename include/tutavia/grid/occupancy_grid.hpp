@@ -44,7 +44,7 @@ class OccupancyGrid {
     }
     Cell cell(std::size_t index) const {
       // Rounded up, the reciprocal gives exact quotients for fewer than 2^26 words.
-      const std::size_t row = (index / 64 * reciprocal) >> reciprocal_shift;
+      const auto row = static_cast<std::size_t>((index / 64 * reciprocal) >> reciprocal_shift);
       return {static_cast<int>(index - row * stride) - 1, static_cast<int>(row) - 1};
     }
     bool is_free(std::size_t index) const { return detail::bit_at(words, index); }

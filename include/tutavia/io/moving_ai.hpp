@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "tutavia/core/parts/read_number.hpp"
 #include "tutavia/grid/cell.hpp"
 #include "tutavia/grid/occupancy_grid.hpp"
 #include "tutavia/io/text/read_file.hpp"
@@ -107,7 +107,7 @@ template <class Number>
 Number moving_ai_number(std::string_view word) {
   if (word.substr(0, 1) == "-") return -1;
   Number value = -1;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [end, error] = read_number(word.data(), word.data() + word.size(), value);
   const bool whole = error == std::errc() && end == word.data() + word.size();
   return whole && std::isfinite(static_cast<double>(value)) ? value : -1;
 }

@@ -21,19 +21,6 @@ namespace tutavia {
 
 namespace detail {
 
-/// What transparency means in the mode of a map.
-inline AlphaRule alpha_rule(RosMapSettings::Mode mode) {
-  switch (mode) {
-    case RosMapSettings::Mode::trinary:
-      return AlphaRule::averaged;
-    case RosMapSettings::Mode::scale:
-      return AlphaRule::masks;
-    case RosMapSettings::Mode::raw:
-      break;
-  }
-  return AlphaRule::ignored;
-}
-
 /// The path of an image that a YAML file names: ~/ is the home folder, and a relative path starts
 /// at the folder of the YAML file.
 inline std::filesystem::path image_path(const std::filesystem::path& yaml_path,

@@ -51,7 +51,9 @@ class TurnCounter {
   explicit TurnCounter(PathMetrics& metrics) : metrics_(metrics) {}
 
   void turn(double angle) {
-    if (angle * run_ < 0) end_run();
+    // Where a smooth path goes on straight, rounding alone decides on the direction.
+    constexpr double rounding = 1e-9;
+    if (angle * run_ < 0 && std::abs(angle) > rounding) end_run();
     run_ += angle;
     metrics_.turning_angle += std::abs(angle);
   }

@@ -70,7 +70,8 @@ class TurnPlanes {
       const std::size_t x = static_cast<std::size_t>(cell.x) + 1;
       const std::size_t y = static_cast<std::size_t>(cell.y) + 1;
       // Rounded up, the reciprocal gives exact quotients for rows below 2^31.
-      const std::size_t y_mod = y - ((y * reciprocal_) >> reciprocal_shift_) * columns_;
+      const auto rounds = static_cast<std::size_t>((y * reciprocal_) >> reciprocal_shift_);
+      const std::size_t y_mod = y - rounds * columns_;
       const std::size_t line = (is_rising_ ? x : columns_ - 1 - x) + columns_ - y_mod;
       return (((line < columns_ ? line : line - columns_) * stride_ + y) ^ reverse_) + offset_;
     }

@@ -24,6 +24,13 @@ struct GreyImage {
   std::vector<std::string> warnings{};  ///< what was accepted with a doubt, one line each
 };
 
+/// How the transparency of pixels counts.
+enum class AlphaRule {
+  averaged,  ///< as a channel beside the colours, opaque being white
+  masks,     ///< pixels that are not opaque are `transparent`
+  ignored,
+};
+
 /// The most pixels of an image.
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 30;
 

@@ -22,13 +22,6 @@
 
 namespace tutavia::detail {
 
-/// How the transparency of pixels counts.
-enum class AlphaRule {
-  averaged,  ///< as a channel beside the colours, opaque being white
-  masks,     ///< pixels that are not opaque are `transparent`
-  ignored,
-};
-
 /// Reads PNG, BMP and JPEG images by stb_image. What it reads without noticing damage is checked
 /// here. Throws ParseError.
 class ImageReader {

@@ -26,6 +26,19 @@ struct RosMapSettings {
   double occupied_thresh = 0, free_thresh = 0;
 };
 
+/// What transparency means in the mode of a map.
+inline AlphaRule alpha_rule(RosMapSettings::Mode mode) {
+  switch (mode) {
+    case RosMapSettings::Mode::trinary:
+      return AlphaRule::averaged;
+    case RosMapSettings::Mode::scale:
+      return AlphaRule::masks;
+    case RosMapSettings::Mode::raw:
+      break;
+  }
+  return AlphaRule::ignored;
+}
+
 /// The occupancy of a pixel, in the arithmetic of nav2_map_server up to Jazzy (map_io.cpp,
 /// loadMapFromFile), which decides ties with a threshold.
 class RosMapValues {

@@ -11,32 +11,28 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tutavia/io/text/grey_image.hpp"
 #include "tutavia/io/text/parse_error.hpp"
 #include "tutavia/io/text/source_text.hpp"
+#include "tutavia/io/text/yaml_node.hpp"
 
 /// \file
-/// YamlTree: the nodes of a YAML document with their lines.
+/// parse_yaml: YAML documents by yaml-cpp.
 
 namespace tutavia::detail {
 
-/// A node of a YAML document.
-struct YamlNode {
-  enum class Kind { nothing, scalar, list, map };
-  Kind kind = Kind::nothing;
-  std::size_t line = 0;
-  std::string text{};                   ///< of a scalar, without quotes
-  std::vector<std::size_t> children{};  ///< items; of a map its keys and values, by turns
-};
-
-/// The nodes that yaml-cpp's parser reports. An alias is the node that it stands for, not a copy,
-/// so the tree is no larger than its text; an alias may stand for a node around it.
+/// Keeps the nodes that yaml-cpp's parser reports.
 class YamlTree : private YAML::EventHandler {
  public:
-  /// Parses one document. Throws ParseError with the line of malformed YAML, of a character that
-  /// YAML does not allow, and of a second document.
+  /// Throws as `parse_yaml`.
+  static YamlDocument parse(std::string_view text) { return std::move(YamlTree(text).nodes_); }
+
+ private:
+  using Kind = YamlNode::Kind;
+
   explicit YamlTree(std::string_view text) {
     check_characters(text);
     try {
@@ -53,13 +49,6 @@ class YamlTree : private YAML::EventHandler {
     }
     if (nodes_.empty()) nodes_.emplace_back();
   }
-
-  const YamlNode& root() const { return nodes_.front(); }
-  const YamlNode& operator[](std::size_t index) const { return nodes_[index]; }
-  YamlNode& operator[](std::size_t index) { return nodes_[index]; }
-
- private:
-  using Kind = YamlNode::Kind;
 
   static std::string position(const YAML::Mark& mark) {
     return "line " + std::to_string(mark.line + 1) + ", column " + std::to_string(mark.column + 1) +
@@ -116,10 +105,14 @@ class YamlTree : private YAML::EventHandler {
     if (!open_.empty()) nodes_[open_.back()].children.push_back(index);
   }
 
-  std::vector<YamlNode> nodes_{};
+  YamlDocument nodes_{};
   std::vector<std::size_t> open_{};     // lists and maps around the current node
   std::vector<std::size_t> anchors_{};  // the node of each anchor
   bool is_over_ = false;                // the first document is
 };
+
+/// Parses one document. Throws ParseError with the line of malformed YAML, of a character that YAML
+/// does not allow, and of a second document.
+inline YamlDocument parse_yaml(std::string_view text) { return YamlTree::parse(text); }
 
 }  // namespace tutavia::detail

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include "tutavia/core/parts/read_number.hpp"
 #include "tutavia/io/text/parse_error.hpp"
 #include "tutavia/io/text/source_text.hpp"
 
@@ -28,7 +28,7 @@ class WktCursor {
     const std::size_t at = next_;
     double value = 0;
     const char* const first = text_.data() + at + (text_[at] == '+' ? 1 : 0);
-    const auto [last, status] = std::from_chars(first, text_.data() + end_, value);
+    const auto [last, status] = read_number(first, text_.data() + end_, value);
     next_ = static_cast<std::size_t>(last - text_.data());
     if (status == std::errc::result_out_of_range) error(at, "a number beyond the range of double");
     const bool is_whole = is_end() || is_blank(text_[next_]) ||

@@ -16,6 +16,7 @@
 #include <variant>
 
 #include "tutavia/core/parts/number_text.hpp"
+#include "tutavia/core/parts/read_number.hpp"
 #include "tutavia/registry/option_value.hpp"
 
 /// \file
@@ -58,7 +59,7 @@ inline constexpr std::array<std::string_view, 2> switch_names{"false", "true"};
 template <class T>
 bool parse_number(std::string_view text, T& result) {
   T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return false;
   if constexpr (std::floating_point<T>) {
     if (std::isnan(value)) return false;

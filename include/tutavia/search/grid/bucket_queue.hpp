@@ -44,7 +44,7 @@ class BucketQueue {
   bool empty() const { return occupied_ == 0; }
 
   void push(Cost key, std::uint32_t node, std::uint32_t tag) {
-    const auto bucket = (static_cast<std::uint64_t>(key) >> Shift) % 64;
+    const auto bucket = static_cast<std::size_t>((static_cast<std::uint64_t>(key) >> Shift) % 64);
     buckets_[bucket].push_back({node, tag});
     occupied_ |= std::uint64_t{1} << bucket;
   }
