@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: MIT
 # Installs what is missing (Debian and Ubuntu, through apt), then builds and runs.
 #
-#   cmake/setup.sh demo    plans the built-in maze, prints a table and writes maze.svg
-#   cmake/setup.sh test    builds the examples and tests, and runs the whole test suite
-#   cmake/setup.sh tools   only installs what the sanitizer, format and lint checks need
+#   cmake/setup.sh demo        plans the built-in maze, prints a table and writes maze.svg
+#   cmake/setup.sh test        builds the examples and tests, and runs the whole test suite
+#   cmake/setup.sh playground   builds the web page (build/wasm/playground/index.html) and tests it
+#   cmake/setup.sh tools       only installs what the sanitizer, format and lint checks need
 set -euo pipefail
 mode=${1:-}
 case $mode in
-  demo | test | tools) ;;
-  *) echo "usage: cmake/setup.sh demo|test|tools" >&2; exit 2 ;;
+  demo | test | playground | tools) ;;
+  *) echo "usage: cmake/setup.sh demo|test|playground|tools" >&2; exit 2 ;;
 esac
 here=$PWD
 cd "$(dirname "$0")/.."
@@ -27,7 +28,7 @@ need_header CLI/CLI.hpp libcli11-dev
 need_header nlohmann/json.hpp nlohmann-json3-dev
 need_header yaml-cpp/yaml.h libyaml-cpp-dev
 need_header stb/stb_image.h libstb-dev
-if [ "$mode" != demo ]; then
+if [ "$mode" = test ] || [ "$mode" = tools ]; then
   need_header boost/multiprecision/cpp_int.hpp libboost-dev
   has_header catch2/catch.hpp || need_header catch2/catch_all.hpp catch2
 fi
@@ -42,6 +43,12 @@ if [ "$mode" = tools ]; then
      ! echo 'int main(){}' | clang++ -x c++ -fsanitize=address,fuzzer-no-link - -o /dev/null 2>/dev/null; then
     missing+=("libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev")
   fi
+fi
+
+if [ "$mode" = playground ]; then
+  need_command em++ emscripten
+  command -v google-chrome >/dev/null || need_command chromium chromium
+  need_command npm npm
 fi
 
 if [ ${#missing[@]} -gt 0 ]; then
@@ -76,5 +83,15 @@ case $mode in
     cmake --preset test
     cmake --build --preset test
     exec ctest --preset test
+    ;;
+  playground)
+    cmake --preset wasm "${@:2}"
+    cmake --build --preset wasm
+    if [ ! -e build/wasm/playground/index.html ]; then
+      echo "setup.sh: the page needs Node 20.19 or later, found $(node --version 2>&1)" >&2
+      exit 1
+    fi
+    ctest --preset wasm
+    echo "the playground: $PWD/build/wasm/playground/index.html"
     ;;
 esac

@@ -35,6 +35,24 @@ Names names_of(const Algorithms<S>& algorithms) {
   return names;
 }
 
+template <class S>
+Expected<SmoothedRoute, Failure> smooth_and_certify(const S& space, const AnySmoother<S>& smoother,
+                                                    const Route& route, const Budget& budget) {
+  if (route.vehicle) {
+    auto path =
+        smoother.smooth(space, *route.vehicle, VehiclePath{route.curve, route.gears}, budget);
+    if (!path) return std::move(path).unexpected();
+    const VehicleCertificate proof = certify(space, *route.vehicle, *path, {}, budget);
+    Certificate certificate = proof.clearance;
+    certificate.status = proof.status;
+    return SmoothedRoute{std::move(path->curve), std::move(path->gears), certificate};
+  }
+  auto curve = smoother.smooth(space, route.curve, budget);
+  if (!curve) return std::move(curve).unexpected();
+  const Certificate certificate = certify(space, *curve, {}, budget);
+  return SmoothedRoute{std::move(*curve), {}, certificate};
+}
+
 bool has(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -138,7 +156,10 @@ ChosenPlanner make_planner(const PlanningSpace& any_space,
                   return record != nullptr ? planner->plan(space, query, *record)
                                            : planner->plan(space, query);
                 },
-                std::move(used)};
+                std::move(used),
+                [&space, planner](const Route& route, const Budget& budget) {
+                  return smooth_and_certify(space, planner->smoother(), route, budget);
+                }};
       },
       any_space);
 }

@@ -44,10 +44,19 @@ void check_choices(const Choices& choices, const VehicleArguments& vehicle, bool
 /// Plans one query. The record may be null.
 using PlanQuery = std::function<Expected<Plan, Failure>(const Query&, SearchRecord*)>;
 
+/// What a smoother makes of a route, and whether it is safe.
+struct SmoothedRoute {
+  Curve curve;
+  std::vector<Gear> gears;  ///< of a vehicle; else empty
+  Certificate certificate;
+};
+
 /// What plans with chosen algorithms.
 struct ChosenPlanner {
   PlanQuery plan;
   UsedAlgorithms algorithms;
+  /// The smoother alone, to see a curve that a plan refused.
+  std::function<Expected<SmoothedRoute, Failure>(const Route&, const Budget&)> smooth;
 };
 
 /// A planner with its own scratch memory, for cells with these costs (null: they cost the same;

@@ -79,7 +79,7 @@ class DriveChain {
       collect(to);
       for (const Candidate& c : candidates_) {
         Way& way = ways_[to][c.gear];
-        if (!(c.cost < way.cost)) continue;
+        if (!(order_key(c.cost) < order_key(way.cost))) continue;
         if (footprint.is_free(space, path(c.drive, c.from, to))) {
           way = {c.cost, c.from, c.gear_before, c.drive};
         }
@@ -124,6 +124,11 @@ class DriveChain {
     }
   }
 
+  /// A shortest drive costs as much as shortest drives to a place on it and on from there. Costs
+  /// are therefore compared without their last digits, and of equal ones the longest drive is
+  /// taken.
+  static float order_key(double cost) { return static_cast<float>(cost); }
+
   /// Collects the drives to a place from all earlier ones, the cheapest first.
   void collect(std::size_t to) {
     candidates_.clear();
@@ -132,8 +137,8 @@ class DriveChain {
     }
     std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
       const bool a_reverses = a.drive.moves[0].length < 0, b_reverses = b.drive.moves[0].length < 0;
-      return std::tie(a.cost, a.from, a.gear_before, a_reverses) <
-             std::tie(b.cost, b.from, b.gear_before, b_reverses);
+      return std::tuple(order_key(a.cost), a.from, a.gear_before, a_reverses) <
+             std::tuple(order_key(b.cost), b.from, b.gear_before, b_reverses);
     });
   }
 
@@ -154,7 +159,8 @@ class DriveChain {
 
   std::vector<Step> steps() const {
     std::size_t place = places_.size() - 1;
-    std::size_t gear = ways_[place][1].cost < ways_[place][0].cost ? 1 : 0;
+    const std::array<Way, 2>& ends = ways_[place];
+    std::size_t gear = order_key(ends[1].cost) < order_key(ends[0].cost) ? 1 : 0;
     std::vector<Step> chain;
     if (ways_[place][gear].cost == std::numeric_limits<double>::infinity()) return chain;
     while (place > 0) {

@@ -32,6 +32,12 @@ inline bool same_circle(const OrientedCircle& a, const OrientedCircle& b) {
   return a.center == b.center && a.radius == b.radius;
 }
 
+/// Whether a string that turns by so much lies on a circle. A turn that may be rounding alone does
+/// not lift it off.
+inline bool lies_on(const OrientedCircle& circle, double turn) {
+  return circle.side * turn >= -1e-12;
+}
+
 /// A string around pins (the path's own vertices) and circles, as a list of numbered bends. It
 /// starts at bend 0 and ends at bend `last()`.
 class StringBends {
@@ -72,7 +78,7 @@ class StringBends {
     return turn >= 0 ? 1 : -1;
   }
   bool is_taut(std::size_t i) const {
-    return !bends_[i].is_pin && bends_[i].turn * bends_[i].circle.side >= 0;
+    return !bends_[i].is_pin && lies_on(bends_[i].circle, bends_[i].turn);
   }
 
   Curve curve(double error_bound) const {

@@ -59,9 +59,9 @@ class TautStringSolver {
       if (!finder_.wrap(a, c, side)) break;
       if (finder_.add_blocking(a, c)) continue;
       const bool lifts_a =
-          !string_[a].is_pin && string_[a].circle.side * string_.turn_after(a, finder_.chain()) < 0;
+          !string_[a].is_pin && !lies_on(string_[a].circle, string_.turn_after(a, finder_.chain()));
       const bool lifts_c = !string_[c].is_pin &&
-                           string_[c].circle.side * string_.turn_before(c, finder_.chain()) < 0;
+                           !lies_on(string_[c].circle, string_.turn_before(c, finder_.chain()));
       if (lifts_a || lifts_c) {
         if (lifts_a) {
           a = string_[a].previous;
