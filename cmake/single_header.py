@@ -5,7 +5,7 @@
     cmake/single_header.py FILE    FILE: tutavia_single.hpp, or - for standard output
 
 Every header comes once, after those that it includes. What is not of the library is included on
-top: the standard library and Eigen. Headers that need more (JSON, ROS, Boost) and the selection by
+top, unless a condition stands before it: the standard library and Eigen. Headers that need more (JSON, ROS, Boost) and the selection by
 name are left out, as they are from the umbrella.
 """
 
@@ -54,10 +54,12 @@ class SingleHeader:
                 depth += -1 if match["ends"] else 1
             if match := INCLUDE.match(line):
                 # Moved to the top, it would lose its condition.
-                if depth:
+                if depth and match["own"]:
                     sys.exit(f"single_header.py: {name}:{number}: an include under a condition")
                 if match["own"]:
                     self.add(match["own"])
+                elif depth:
+                    body.append(line)
                 else:
                     self.others.add(match["other"])
             elif line != "#pragma once" and not line.startswith("// SPDX-License-Identifier:"):

@@ -3,10 +3,10 @@
 
 #include <version>
 
+#include "tutavia/core/parts/flag_stop_token.hpp"
+
 #ifdef __cpp_lib_jthread
 #include <stop_token>
-#else
-#include "tutavia/core/parts/flag_stop_token.hpp"
 #endif
 
 /// \file
