@@ -169,7 +169,7 @@ Curve unchecked_spline(const Curve& route) {
     control = std::move(finer);
   }
   Curve curve;
-  for (const CubicBezier& piece : tutavia::detail::bezier_pieces(control)) curve.push_back(piece);
+  for (const CubicBezier& piece : bezier_pieces(control)) curve.push_back(piece);
   return curve;
 }
 
