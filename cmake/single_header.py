@@ -5,8 +5,8 @@
     cmake/single_header.py FILE    FILE: tutavia_single.hpp, or - for standard output
 
 Every header comes once, after those that it includes. What is not of the library is included on
-top, unless a condition stands before it: the standard library and Eigen. Headers that need more (JSON, ROS, Boost) and the selection by
-name are left out, as they are from the umbrella.
+top, unless a condition stands before it: the standard library and Eigen. Headers that need more
+(JSON, ROS, Boost) and the selection by name are left out, as they are from the umbrella.
 """
 
 import pathlib

@@ -34,6 +34,7 @@ Reply answer(std::unique_ptr<Stage>& stage, const nlohmann::json& request, std::
   if (what == "open_ros") return open_ros_map(request, bytes);
   if (what == "open_scenarios") return open_scenarios(bytes);
   if (what != "scene") throw UsageError{"no request is named " + what};
+  stage.reset();  // nothing is planned on an old scene in place of one that is refused
   stage = std::make_unique<Stage>(request, bytes);
   const auto& grid = std::visit(
       [](const auto& space) -> const OccupancyGrid& { return space.grid(); }, stage->space());

@@ -64,7 +64,9 @@ VehicleArguments vehicle_of(const nlohmann::json& request) {
   VehicleArguments arguments;
   const auto* const vehicle = fields::optional_field(request, "vehicle");
   if (vehicle == nullptr) return arguments;
-  arguments.turning_radius = required_number(*vehicle, "min_turning_radius");
+  const double radius = required_number(*vehicle, "min_turning_radius");
+  fields::require(radius == 0 || radius >= 1e-3, "min_turning_radius", "0, or 0.001 m at least");
+  arguments.turning_radius = radius;
   arguments.reverse = vehicle->value("reverse", false);
   const auto* const car = fields::optional_field(*vehicle, "car");
   if (car == nullptr) return arguments;
@@ -125,16 +127,16 @@ Json result_of(Stage& stage, const Task& task, const ChosenPlanner& planner,
   const ResultHeader header{
       used.search,           used.smoother,       in_map(task.query.start), in_map(task.query.goal),
       stage.safety_radius(), used.search_options, used.smoother_options};
-  if (!plan) return result_to_json(header, plan.error());
-  if (!stage.frame().is_turned()) return result_to_json(header, *plan, optimum);
-  return result_to_json(header, *stage.frame().to_map(plan), optimum);
+  const Expected<Plan, Failure> shown =
+      stage.frame().is_turned() ? stage.frame().to_map(plan) : plan;
+  return shown ? result_to_json(header, *shown, optimum) : result_to_json(header, shown.error());
 }
 
-Json certificate_to_json(const Certificate& certificate) {
+Json certificate_to_json(const Certificate& certificate, const plan_program::MapFrame& frame) {
   return {{"status", to_string(certificate.status)},
           {"lower", certificate.lower},
           {"upper", certificate.upper},
-          {"point", tutavia::detail::to_json(certificate.point)},
+          {"point", tutavia::detail::to_json(frame.to_map(certificate.point))},
           {"piece", certificate.piece},
           {"parameter", certificate.parameter}};
 }
@@ -142,7 +144,7 @@ Json certificate_to_json(const Certificate& certificate) {
 Json judged(const Stage& stage, const Curve& curve, std::span<const Gear> gears,
             const Certificate& certificate, std::size_t samples) {
   return {{"curve", sampled(stage.space(), curve, gears, samples)},
-          {"certificate", certificate_to_json(certificate)}};
+          {"certificate", certificate_to_json(certificate, stage.frame())}};
 }
 
 SpeedLimits limits_of(const nlohmann::json& json) {

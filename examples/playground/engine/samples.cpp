@@ -69,12 +69,13 @@ nlohmann::ordered_json sampled(const plan_program::PlanningSpace& space, const C
 }
 
 nlohmann::ordered_json sampled_motion(const Curve& curve, const SpeedLimits& limits) {
-  constexpr double moments = 300;
+  constexpr int moments = 300;
   const auto profile = SpeedProfile::build(curve, limits);
   if (!profile) return {{"detail", profile.error().detail}};
   std::vector<double> time, along, speed, acceleration;
   const double duration = profile->duration();
-  for (const auto& state : profile->sample(duration > 0 ? duration / moments : 1)) {
+  for (int i = 0; i <= moments; ++i) {
+    const SpeedProfile::State state = profile->at(duration * i / moments);
     time.push_back(state.time);
     along.push_back(state.s);
     speed.push_back(state.speed);

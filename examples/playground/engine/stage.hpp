@@ -29,6 +29,7 @@ class Stage {
 
   const plan_program::PlanningSpace& space() const { return space_; }
   plan_program::MapFrame& frame() { return frame_; }
+  const plan_program::MapFrame& frame() const { return frame_; }
   bool has_cells() const { return space_.index() == 1; }
   double resolution() const;
   double safety_radius() const;

@@ -51,6 +51,17 @@ function withoutBinaryFile(): Plugin {
   };
 }
 
+/** The licences of what the page contains, which have to go with it. */
+function notices(): string {
+  const licences = ['lit-html', 'yaml'].map((name) => {
+    const text = readFileSync(join(here, 'node_modules', name, 'LICENSE'), 'utf8');
+    return `${name}\n\n${text.trim()}\n`;
+  });
+  const text = [readFileSync(join(here, 'NOTICES.txt'), 'utf8'), ...licences].join('\n');
+  if (text.includes('-->')) throw new Error('a notice would end the comment that holds it');
+  return text;
+}
+
 /** Moves script and style into the page, because pages of file:// cannot load modules. */
 function singleFile(): Plugin {
   return {
@@ -75,7 +86,7 @@ function singleFile(): Plugin {
         }
         delete bundle[name];
       }
-      page.source = html;
+      page.source = `${html}\n<!--\n${notices()}\n-->\n`;
     },
   };
 }

@@ -46,6 +46,8 @@ export class App {
   catalogue: CatalogueReply | null = null;
   planners: Planner[] = [];
   outcomes = new Map<number, Outcome>();
+  /** Counts the states of the page that plans were asked for. */
+  version = 0;
   active = 0;
   tool: ToolName = 'select';
   selection: Item | null = null;
@@ -76,6 +78,7 @@ export class App {
     showUnchecked: false,
   };
   private isDirty = false;
+  private lastId = -1;
   private listeners: { redraw: () => void; plan: () => void }[] = [];
 
   constructor(private current: Scene) {
@@ -108,6 +111,7 @@ export class App {
   open(scene: Scene): void {
     this.history.push(this.current);
     this.current = scene;
+    this.outcomes.clear();
     this.selection = null;
     this.along = null;
     if (
@@ -161,6 +165,10 @@ export class App {
   get activePlanner(): Planner | undefined {
     return this.planners.find(({ id }) => id === this.active);
   }
+  /** Whether an outcome is of what is shown. While something is dragged, plans follow the mouse. */
+  isFresh({ version }: Outcome): boolean {
+    return this.inGesture || version === this.version;
+  }
   get activeReply(): PlanReply | undefined {
     return this.outcomes.get(this.active)?.reply;
   }
@@ -176,12 +184,13 @@ export class App {
   changePlanner(changed: Planner): void {
     const planner = this.catalogue ? matched(this.catalogue, changed) : changed;
     this.planners = this.planners.map((old) => (old.id === planner.id ? planner : old));
+    this.outcomes.delete(planner.id);
     this.planAgain();
   }
   addPlanner(like: Omit<Planner, 'id' | 'visible'>): void {
-    const used = new Set(this.planners.map(({ id }) => id));
-    let id = 0;
-    while (used.has(id)) ++id;
+    // No planner gets replies to the questions of one that was removed.
+    const id = Math.max(this.lastId, ...this.planners.map((planner) => planner.id)) + 1;
+    this.lastId = id;
     this.planners = [...this.planners, { ...like, id, visible: true }];
     this.active = id;
     this.planAgain();
@@ -190,8 +199,8 @@ export class App {
     if (this.planners.length < 2) return;
     this.planners = this.planners.filter((planner) => planner.id !== id);
     this.outcomes.delete(id);
-    if (this.active === id) this.active = this.planners[0]?.id ?? 0;
-    this.redraw();
+    if (this.active === id) this.activate(this.planners[0]?.id ?? 0);
+    else this.redraw();
   }
   changeSettings(change: Partial<Settings>): void {
     this.settings = { ...this.settings, ...change };

@@ -133,9 +133,11 @@ export class Client {
     this.worker?.terminate();
     this.worker = null;
     this.inFlight = null;
+    const dropped = [...this.plans.values()];
     this.plans.clear();
-    this.scene ??= this.lastScene;
+    this.scene ??= failed === this.lastScene ? null : this.lastScene;
     failed?.done({ error: reason });
+    for (const job of dropped) job.done({ error: reason });
     void this.start();
   }
 

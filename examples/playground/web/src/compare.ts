@@ -23,7 +23,7 @@ function row(app: App, planner: Planner): TemplateResult {
   const outcome = app.outcomes.get(planner.id);
   const reply = outcome?.reply;
   const result = reply?.result;
-  const { tone, word } = verdict(outcome);
+  const { tone, word } = verdict(app, outcome);
   const isActive = planner.id === app.active;
   const speed = reply?.speed;
   const metrics = result?.metrics;

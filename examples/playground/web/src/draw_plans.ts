@@ -169,7 +169,7 @@ function drawJudged(
   const isSafe = certificate.status === 'proved';
   stroke(context, pathOf(curve, view), isSafe ? palette.route : palette.refused, 2, [7, 5]);
   if (isSafe) return;
-  const at = view.toScreen(certificate.point);
+  const at = view.toScreen(toGridFrame(app.scene.world, certificate.point));
   drawCross(context, at, palette.refused, palette.ground);
   label(context, app, at, `${name}: clearance ${metres(certificate.upper)}`, palette.refused);
 }
@@ -184,8 +184,10 @@ export function drawPlans(context: Context, app: App, pixelRatio: number): void 
     ...shown.filter(({ id }) => id === app.active),
   ];
   for (const { id } of ordered) {
-    const reply = app.outcomes.get(id)?.reply;
-    if (!reply) continue;
+    const outcome = app.outcomes.get(id);
+    const reply = outcome?.reply;
+    // What was proved of another scene is not drawn over this one.
+    if (!reply || !app.isFresh(outcome)) continue;
     const isActive = id === app.active;
     const colour = theme.curve(id);
     const isProved = reply.result.certificate?.status === 'proved';
@@ -195,7 +197,7 @@ export function drawPlans(context: Context, app: App, pixelRatio: number): void 
         reply.curve,
         view,
         reply.footprint ?? [],
-        scene.radius,
+        reply.result.safety_radius,
         colour,
         theme.isDark ? 0.28 : 0.2,
       );

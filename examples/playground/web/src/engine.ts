@@ -63,6 +63,7 @@ export class Engine {
     const json = this.textInMemory(request);
     const size = bytes?.length ?? 0;
     const data = size > 0 ? module._malloc(size) : 0;
+    if (size > 0 && data === 0) throw new Error('there is not enough memory');
     if (size > 0 && bytes) module.HEAPU8.set(bytes, data);
     module._tutavia_call(json, data, size);
     module._free(json);

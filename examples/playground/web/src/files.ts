@@ -100,8 +100,7 @@ async function openRos(
   const nodes = yamlNodes(new TextDecoder().decode(yaml.bytes));
   const base = rootValue(nodes, 'image')?.split('/').at(-1);
   const others = files.filter((file) => file !== yaml);
-  const image =
-    others.find(({ name }) => name === base) ?? (others.length === 1 ? others[0] : undefined);
+  const image = others.find(({ name }) => name === base);
   if (!image && base !== undefined)
     throw new Error(`choose or drop its image ${base} together with it`);
   const { reply, bytes } = await required(

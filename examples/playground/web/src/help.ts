@@ -22,7 +22,10 @@ export function openHelp(dialog: HTMLDialogElement, version: string): void {
         the map; wheel or two fingers zoom. A double click on the border of a selected polygon adds
         a vertex, and closes a polygon that is being drawn.
       </p>
-      <p>tutavia ${version}, MIT licence.</p>
+      <p>
+        tutavia ${version}, MIT licence. Those of its parts stand at the end of the source of this
+        page.
+      </p>
       <form method="dialog"><button class="primary" autofocus>Close</button></form>`,
     dialog,
   );

@@ -312,4 +312,9 @@ async function start(): Promise<void> {
   planning.frame();
 }
 
-exposeForTests(app, planning, start());
+const started = start();
+started.catch((error: unknown) => {
+  const reason = error instanceof Error ? error.message : String(error);
+  element('status').textContent = `This browser cannot run the playground: ${reason}`;
+});
+exposeForTests(app, planning, started);

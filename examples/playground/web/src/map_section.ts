@@ -22,6 +22,7 @@ export class MapSection {
   private scenario = 0;
   private wktColumn = '';
   private files: NamedBytes[] = [];
+  private requests = 0;
   /** Where the map comes from. */
   private source = '';
   /** The preset that was opened last, and the name of its scene. */
@@ -44,8 +45,10 @@ export class MapSection {
     this.preset = id;
     this.files = [];
     this.scenarios = [];
+    const request = ++this.requests;
     await this.guarded(async () => {
       const content = await preset.load(this.client, this.fileSettings);
+      if (request !== this.requests) return; // another map was chosen meanwhile
       this.app.notice = null;
       this.show(content);
     });

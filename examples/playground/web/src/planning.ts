@@ -59,7 +59,7 @@ export class Planning {
   /** Call once a frame. */
   frame(): void {
     if (!this.app.takeDirty() || this.app.planners.length === 0 || !this.app.catalogue) return;
-    ++this.version;
+    this.app.version = ++this.version;
     this.planOn(this.live, false);
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => this.complete(), settleTime);
@@ -135,29 +135,39 @@ export class Planning {
           samples: 600,
         });
       desk.client.plan(planner.id, request, (reply) =>
-        this.receive(planner.id, version, complete, reply),
+        this.receive(planner, version, complete, reply),
       );
     }
   }
 
   private receiveScene(reply: SceneReply | ErrorReply, version: number): void {
-    if (!isError(reply) || version !== this.version) return;
+    if (!isError(reply) || version !== this.version || reply.error === 'cancelled') return;
     this.app.notice = { kind: 'error', text: `This scene cannot be used: ${reply.error}` };
+    // What was proved of another scene is not shown on this one.
+    this.app.outcomes.clear();
     this.app.redraw();
   }
 
   private receive(
-    id: number,
+    planner: Planner,
     version: number,
     complete: boolean,
     reply: PlanReply | ErrorReply,
   ): void {
     const { app } = this;
-    if (!app.planners.some((planner) => planner.id === id)) return;
+    // The replies of the live engine follow the mouse; all others are for what is shown now.
+    if (!app.planners.includes(planner) || (!app.inGesture && version !== this.version)) return;
+    const { id } = planner;
     // What the background engine says of an older scene is of no use; the live engine's is the best there is.
     if (complete && version !== this.version) return;
     const known = app.outcomes.get(id);
     if (!complete && known?.complete && known.version === version) return;
+    const isWorse = isError(reply) || reply.result.status !== 'success';
+    if (complete && isWorse && known?.reply?.result.status === 'success') {
+      known.complete = true; // recording may take a plan over its time limit
+      app.redraw();
+      return;
+    }
     const outcome: Outcome = isError(reply)
       ? { error: reply.error, complete, version }
       : { reply, complete, version };

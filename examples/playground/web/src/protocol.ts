@@ -157,9 +157,10 @@ export interface PlanStatistics {
   seed: number;
 }
 
-/** A curve of which a proof was tried. Its certificate is in the frame of the grid. */
+/** A curve of which a proof was tried. */
 export interface JudgedCurve {
   curve: Samples;
+  /** In the frame of the map, as that of the result. */
   certificate: Certificate;
 }
 

@@ -114,6 +114,7 @@ export function cellsOf(scene: Scene, world: CellWorld): CellScene {
     resolution,
     origin,
     ...(map && { map }),
+    y_down: scene.yDown,
     safety_radius: scene.radius,
     start: scene.start,
     goals: [scene.goal],

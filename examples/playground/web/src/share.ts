@@ -97,6 +97,7 @@ export async function fromFragment(fragment: string): Promise<Restored | null> {
   }
   if (content.v !== 1)
     throw new Error('The address of this page is of another version of the playground.');
+  if (!isComplete(content)) throw new Error('The address of this page lacks a part of its scene.');
   const { world } = content.scene;
   const restored: Scene =
     world.kind === 'workspace'
@@ -114,6 +115,32 @@ export async function fromFragment(fragment: string): Promise<Restored | null> {
     active: content.active,
     settings: { vehicle: content.vehicle, speed: content.speed },
   };
+}
+
+/** Whether what the page relies on is there. The engine checks the rest. */
+function isComplete({ scene, planners, vehicle, speed }: Shared): boolean {
+  const isPoint = (value: unknown): boolean =>
+    Array.isArray(value) && value.length === 2 && value.every(Number.isFinite);
+  const isWorld = (world: Partial<Shared['scene']['world']> | undefined): boolean =>
+    world?.kind === 'workspace'
+      ? Array.isArray(world.obstacles) && Array.isArray(world.bounds)
+      : world?.kind === 'cells' &&
+        typeof world.bits === 'string' &&
+        isPoint(world.origin) &&
+        Number.isInteger(world.width) &&
+        Number.isInteger(world.height) &&
+        // One character of base64 holds six cells.
+        Number(world.width) * Number(world.height) <= 6 * world.bits.length;
+  return (
+    isWorld(scene?.world) &&
+    isPoint(scene.start) &&
+    isPoint(scene.goal) &&
+    Number.isFinite(scene.radius) &&
+    Array.isArray(planners) &&
+    planners.length > 0 &&
+    planners.every(({ id, search, stages }) => Number.isInteger(id) && search && stages) &&
+    Boolean(vehicle && speed)
+  );
 }
 
 function withoutBits({

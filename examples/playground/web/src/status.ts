@@ -17,8 +17,8 @@ export function planTime(result: Result): number {
 }
 
 /** One word for the table. */
-export function verdict(outcome: Outcome | undefined): { tone: Tone; word: string } {
-  if (!outcome) return { tone: 'busy', word: 'planning' };
+export function verdict(app: App, outcome: Outcome | undefined): { tone: Tone; word: string } {
+  if (!outcome || !app.isFresh(outcome)) return { tone: 'busy', word: 'planning' };
   const { reply } = outcome;
   if (!reply) return { tone: 'bad', word: 'refused' };
   const { result } = reply;
@@ -62,7 +62,7 @@ function warning({ unchecked }: PlanReply): string {
 export function describe(app: App): Status {
   const planner = app.activePlanner;
   const outcome = app.outcomes.get(app.active);
-  if (!planner || !outcome) return { tone: 'busy', text: 'Planning.' };
+  if (!planner || !outcome || !app.isFresh(outcome)) return { tone: 'busy', text: 'Planning.' };
   const { reply, error } = outcome;
   if (!reply)
     return {

@@ -88,42 +88,21 @@ test('a smoother that gives no curve leaves the route', async () => {
   );
 });
 
-test('a refused curve is red, with its point and reason', async () => {
-  // The library's own smoothers hardly ever give an unsafe curve, so the reply is changed on its way.
-  await playground.close();
-  const context = await browser.newContext({ viewport: { width: 1360, height: 860 } });
-  await context.addInitScript(() => {
-    const set = Object.getOwnPropertyDescriptor(Worker.prototype, 'onmessage')?.set;
-    Object.defineProperty(Worker.prototype, 'onmessage', {
-      set(/** @type {(event: MessageEvent) => void} */ handler) {
-        set?.call(this, (/** @type {MessageEvent} */ event) => {
-          const reply = JSON.parse(event.data.reply);
-          if (!reply.curve) return handler(event);
-          const { certificate } = reply.result;
-          reply.refused = {
-            curve: { ...reply.route },
-            certificate: {
-              ...certificate,
-              status: 'violated',
-              point: [9, 7.1],
-              upper: 0.2,
-              lower: 0.2,
-            },
-          };
-          reply.result.fell_back = true;
-          handler(
-            new MessageEvent('message', { data: { ...event.data, reply: JSON.stringify(reply) } }),
-          );
-        });
-      },
-    });
-  });
-  playground = await Playground.openIn(context);
+test('a curve that nobody checked is red, with the point where it is not safe', async () => {
+  const { page } = playground;
+  await playground.afterPlan(() => page.getByTestId('search').first().selectOption('astar'));
+  const state = await playground.afterPlan(() => page.getByLabel('unchecked spline').check());
+  const certificate = state.replies[0]?.reply?.unchecked?.certificate;
+  assert.equal(certificate?.status, 'violated');
+  assert.ok((certificate?.upper ?? 1) < state.scene.radius);
+  assert.ok(isProved(state), 'the plan itself is proved');
   assert.match(
-    await playground.page.getByTestId('status').innerText(),
-    /clothoid's curve was refused: at \(9, 7\.1\) its clearance is 0\.200 m, so the plan keeps the route/,
+    await page.getByTestId('status').innerText(),
+    /The unchecked spline is not safe: at \(.*\) its clearance is 0\.\d+ m\./,
   );
-  await playground.screenshot('refused');
+  await playground.screenshot('unchecked');
+  await playground.afterPlan(() => page.getByLabel('unchecked spline').uncheck());
+  assert.doesNotMatch(await page.getByTestId('status').innerText(), /unchecked/);
 });
 
 test('a plan that takes too long is cancelled', async () => {

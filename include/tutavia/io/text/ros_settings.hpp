@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -99,7 +100,7 @@ class RosSettingsReader {
     const YamlNode* const node = find("negate");
     if (node == nullptr) return warn("the key negate is missing: 0 is assumed");
     const std::string text = scalar(*node, "negate: 0 or 1");
-    long number = 0;
+    std::int64_t number = 0;
     const std::string_view digits = without_plus(text);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     const bool is_number = error == std::errc() && end == digits.data() + digits.size();

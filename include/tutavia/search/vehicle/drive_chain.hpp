@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -127,7 +128,12 @@ class DriveChain {
   /// A shortest drive costs as much as shortest drives to a place on it and on from there. Costs
   /// are therefore compared without their last digits, and of equal ones the longest drive is
   /// taken.
-  static float order_key(double cost) { return static_cast<float>(cost); }
+  static double order_key(double cost) {
+    if (std::isinf(cost)) return cost;
+    int exponent = 0;
+    const double fraction = std::frexp(cost, &exponent);
+    return std::ldexp(std::nearbyint(std::ldexp(fraction, 32)), exponent - 32);
+  }
 
   /// Collects the drives to a place from all earlier ones, the cheapest first.
   void collect(std::size_t to) {
