@@ -86,7 +86,7 @@ case $mode in
     exec ctest --preset test
     ;;
   playground)
-    node -e 'const [a, b] = process.versions.node.split("."); process.exit(a * 100 + +b < 2019)' || {
+    node -e 'const [a, b] = process.versions.node.split("."); process.exit(100 * a + +b < 2019 ? 1 : 0)' || {
       echo "setup.sh: the page needs Node 20.19 or later, found $(node --version 2>&1)" >&2
       exit 1
     }
