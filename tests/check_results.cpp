@@ -74,7 +74,8 @@ int check(const char* scene_path, const char* results_path) {
   if (!workspace) throw std::runtime_error(std::string(scene_path) + " is no scene");
   const test::ExactChecker checker(*workspace);
   std::size_t paths = 0, faults = 0;
-  for (const json& result : json::parse(content_of(results_path)).at("results")) {
+  const json file = json::parse(content_of(results_path));
+  for (const json& result : file.at("results")) {
     if (result.at("status") != "success") continue;
     ++paths;
     const std::string fault = fault_of(result, checker);

@@ -89,7 +89,7 @@ TEST_CASE("the playground's catalogue names every algorithm, and where it works"
   };
   CHECK(find("searches", "hybrid_astar")["for_vehicles"] == true);
   CHECK(find("searches", "rrt_star")["options"].size() > 3);
-  CHECK(find("smoothers", "homotopy")["on_cells"] == false);
+  CHECK(find("smoothers", "homotopy_refine")["on_cells"] == false);
   CHECK(find("smoothers", "none")["for_vehicles"] == true);
 }
 
@@ -227,7 +227,7 @@ TEST_CASE("the playground reads a ROS map as the library does, also one that is 
   CHECK(std::abs(x - (-2.2 + std::cos(1.5) * 0.55 - std::sin(1.5) * 0.55)) < 1e-12);
 
   const json bad = json::parse(open({"-2.2", "x", "0"}).json);
-  CHECK(error_of(bad) == "line 6: expected origin: x, y and yaw, found \"x\"");
+  CHECK(error_of(bad) == "line 6: expected origin: x, y and yaw, found x");
 }
 
 TEST_CASE("the playground opens files by their names, and says what is wrong with them") {

@@ -57,12 +57,21 @@ class SingleHeaderTest(unittest.TestCase):
         text = single_header.single_header(ROOT)
         includes = re.findall(r"^\s*#\s*include\s*(.*)", text, re.M)
         self.assertEqual(len(includes), len(set(includes)))
-        self.assertNotIn("#include", text.partition("\nnamespace ")[2])
+        # Below stand those of the standard library that not every one has.
+        below = text.partition("\nnamespace ")[2]
+        self.assertEqual(re.findall(r"#if(?:def)? .*\n#include (.*)", below), ["<stop_token>"])
+        self.assertEqual(below.count("#include"), 1)
         self.assertNotIn("#pragma once", text)
         self.assertEqual(text.count("SPDX-License-Identifier"), 1)
 
-    def test_an_include_under_a_condition_is_refused(self):
-        self.append("core/random.hpp", "#ifdef __linux__\n#include <unistd.h>\n#endif\n")
+    def test_a_standard_header_under_a_condition_stays_there(self):
+        lines = "#ifdef __linux__\n#include <unistd.h>\n#endif\n"
+        self.append("core/random.hpp", lines)
+        self.assertIn(lines, single_header.single_header(self.root))
+
+    def test_a_header_of_the_library_under_a_condition_is_refused(self):
+        self.append("core/random.hpp",
+                    '#ifdef __linux__\n#include "tutavia/core/budget.hpp"\n#endif\n')
         with self.assertRaisesRegex(SystemExit, "core/random.hpp:.*under a condition"):
             single_header.single_header(self.root)
 
