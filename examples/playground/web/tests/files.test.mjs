@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { after, afterEach, before, beforeEach, test } from 'node:test';
-import { isProved, launch, Playground, testData } from './page.mjs';
+import { isProved, launch, Playground, testData, reads } from './page.mjs';
 
 /** @type {import('playwright-core').Browser} */
 let browser;
@@ -145,9 +145,8 @@ for (const { files: wrong, message } of broken) {
   test(`says what is wrong with ${wrong[0]?.name}: ${message}`, async () => {
     const { scene } = await playground.state();
     await playground.openFiles(wrong);
-    const notice = playground.page.getByTestId('notice');
     await notice.waitFor();
-    assert.match(await notice.innerText(), message);
+    await reads(playground.page, 'notice', message);
     assert.deepEqual((await playground.state()).scene, scene, 'the old map stays');
     if (wrong[0]?.name === 'broken.json') await playground.screenshot('file-broken');
   });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -23,6 +24,23 @@ export function launch() {
     executablePath: process.env.TUTAVIA_CHROMIUM ?? '/usr/bin/chromium',
     args: ['--no-sandbox'],
   });
+}
+
+/**
+ * Waits until the text of an element matches: a slow machine draws its next frame late.
+ * @param {import('playwright-core').Page} page
+ * @param {string} testId
+ * @param {RegExp} pattern
+ */
+export async function reads(page, testId, pattern) {
+  const element = page.getByTestId(testId);
+  const until = Date.now() + 15000;
+  for (;;) {
+    const text = (await element.count()) > 0 ? await element.first().innerText() : '';
+    if (pattern.test(text)) return;
+    if (Date.now() > until) assert.match(text, pattern);
+    await page.waitForTimeout(50);
+  }
 }
 
 /** The page in a browser, with what tests do again and again. */

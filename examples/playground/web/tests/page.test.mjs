@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { dirname } from 'node:path';
 import { after, before, test } from 'node:test';
-import { isProved, launch, lengthOf, Playground } from './page.mjs';
+import { isProved, launch, lengthOf, Playground, reads } from './page.mjs';
 
 /** @type {import('playwright-core').Browser} */
 let browser;
@@ -49,7 +49,7 @@ test('a scene is shared by its address', async () => {
   assert.equal(lengthOf(restored), lengthOf(state));
   await closed(again);
   const broken = await Playground.open(browser, {}, url.slice(0, -30));
-  assert.match(await broken.page.getByTestId('notice').innerText(), /damaged/);
+  await reads(broken.page, 'notice', /damaged/);
   await closed(broken);
   await closed(playground);
 });
@@ -122,25 +122,21 @@ test('the tour has five steps', async () => {
   const { page } = playground;
   await page.getByTestId('tour').click();
   for (let step = 1; step <= 5; ++step) {
-    assert.match(await page.getByTestId('tour-box').innerText(), new RegExp(`${step} of 5`));
+    await reads(page, 'tour-box', new RegExp(`${step} of 5`));
     if (step === 2 || step === 5) await playground.screenshot(`tour-${step}`);
     await page.getByTestId('tour-next').click();
   }
-  assert.equal(await page.getByTestId('tour-box').count(), 0);
+  await page.getByTestId('tour-box').waitFor({ state: 'detached' });
   await closed(playground);
 });
 
 test('the status is announced in words', async () => {
   const playground = await Playground.open(browser);
   const { page } = playground;
-  const words = page.getByTestId('announcer');
-  assert.match(
-    await words.innerText(),
-    /^Proved: the clearance of the whole curve is at least 0\.300 m/,
-  );
+  await reads(page, 'announcer', /^Proved: the clearance of the whole curve is at least 0\.300 m/);
   // Inside of a wall.
   await playground.afterPlan(() => playground.drag([14.5, 14.5], [9, 3]));
-  assert.match(await words.innerText(), /^No plan by auto with clothoid/);
+  await reads(page, 'announcer', /^No plan by auto with clothoid/);
   await playground.screenshot('failure');
   await closed(playground);
 });

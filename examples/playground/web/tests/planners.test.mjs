@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, afterEach, before, beforeEach, test } from 'node:test';
-import { isProved, launch, lengthOf, Playground } from './page.mjs';
+import { isProved, launch, lengthOf, Playground, reads } from './page.mjs';
 
 /** @type {import('playwright-core').Browser} */
 let browser;
@@ -61,7 +61,7 @@ test('an option changes the plan, and a wrong one is explained', async () => {
   await playground.screenshot('options');
   const wrong = await playground.afterPlan(() => set('many'));
   assert.match(wrong.replies[0]?.error ?? '', /max_iterations/);
-  assert.match(await page.getByTestId('status').innerText(), /max_iterations/);
+  await reads(page, 'status', /max_iterations/);
 });
 
 test('smoothers follow one another', async () => {
@@ -82,10 +82,7 @@ test('a smoother that gives no curve leaves the route', async () => {
     await page.getByLabel('min turning radius').press('Enter');
   });
   assert.ok(isProved(state) && state.replies[0]?.reply?.result.fell_back);
-  assert.match(
-    await page.getByTestId('status').innerText(),
-    /^clothoid gave no curve.*so the plan keeps the route\. Proved/,
-  );
+  await reads(page, 'status', /^clothoid gave no curve.*so the plan keeps the route\. Proved/);
 });
 
 test('a curve that nobody checked is red, with the point where it is not safe', async () => {
@@ -96,13 +93,14 @@ test('a curve that nobody checked is red, with the point where it is not safe', 
   assert.equal(certificate?.status, 'violated');
   assert.ok((certificate?.upper ?? 1) < state.scene.radius);
   assert.ok(isProved(state), 'the plan itself is proved');
-  assert.match(
-    await page.getByTestId('status').innerText(),
+  await reads(
+    page,
+    'status',
     /The unchecked spline is not safe: at \(.*\) its clearance is 0\.\d+ m\./,
   );
   await playground.screenshot('unchecked');
   await playground.afterPlan(() => page.getByLabel('unchecked spline').uncheck());
-  assert.doesNotMatch(await page.getByTestId('status').innerText(), /unchecked/);
+  await reads(page, 'status', /^(?!.*unchecked)/s);
 });
 
 test('a plan that takes too long is cancelled', async () => {
@@ -184,14 +182,11 @@ test('the plots show the robot along the path', async () => {
   const { page } = playground;
   await page.getByTestId('tab-profile').click();
   await page.getByTestId('along').fill('9.5');
-  assert.match(
-    await page.getByTestId('readout').innerText(),
-    /At 9\.50 m: curvature .* clearance .* m\/s/,
-  );
+  await reads(page, 'readout', /At 9\.50 m: curvature .* clearance .* m\/s/);
   await playground.screenshot('profile');
   await page.getByTestId('drive').click();
   await page.waitForTimeout(700);
-  assert.doesNotMatch(await page.getByTestId('readout').innerText(), /At 9\.50 m/);
+  await reads(page, 'readout', /^(?!.*At 9\.50 m)/s);
 });
 
 test('a car parks, with headings that can be dragged', async () => {
