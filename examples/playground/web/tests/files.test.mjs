@@ -145,7 +145,6 @@ for (const { files: wrong, message } of broken) {
   test(`says what is wrong with ${wrong[0]?.name}: ${message}`, async () => {
     const { scene } = await playground.state();
     await playground.openFiles(wrong);
-    await notice.waitFor();
     await reads(playground.page, 'notice', message);
     assert.deepEqual((await playground.state()).scene, scene, 'the old map stays');
     if (wrong[0]?.name === 'broken.json') await playground.screenshot('file-broken');
