@@ -4,13 +4,14 @@
 #
 #   cmake/setup.sh demo        plans the built-in maze, prints a table and writes maze.svg
 #   cmake/setup.sh test        builds the examples and tests, and runs the whole test suite
-#   cmake/setup.sh playground   builds the web page (build/wasm/playground/index.html) and tests it
+#   cmake/setup.sh playground  builds the web page (build/wasm/playground/index.html) and tests it
+#   cmake/setup.sh python      builds the Python package and tutavia-batch, and runs their tests
 #   cmake/setup.sh tools       only installs what the sanitizer, format and lint checks need
 set -euo pipefail
 mode=${1:-}
 case $mode in
-  demo | test | playground | tools) ;;
-  *) echo "usage: cmake/setup.sh demo|test|playground|tools" >&2; exit 2 ;;
+  demo | test | playground | python | tools) ;;
+  *) echo "usage: cmake/setup.sh demo|test|playground|python|tools" >&2; exit 2 ;;
 esac
 here=$PWD
 cd "$(dirname "$0")/.."
@@ -18,6 +19,7 @@ cd "$(dirname "$0")/.."
 has_header() { for dir in /usr/include /usr/local/include; do [ -e "$dir/$1" ] && return 0; done; return 1; }
 missing=()
 need_command() { command -v "$1" >/dev/null || missing+=("$2"); }
+need_module() { /usr/bin/python3 -c "import $1" 2>/dev/null || missing+=("$2"); }
 need_header() { has_header "$1" || missing+=("$2"); }
 
 need_command g++ g++
@@ -28,6 +30,15 @@ need_header CLI/CLI.hpp libcli11-dev
 need_header nlohmann/json.hpp nlohmann-json3-dev
 need_header yaml-cpp/yaml.h libyaml-cpp-dev
 need_header stb/stb_image.h libstb-dev
+if [ "$mode" = python ]; then
+  need_header pybind11/pybind11.h pybind11-dev
+  compgen -G "/usr/include/python3.*/Python.h" >/dev/null || missing+=(python3-dev)
+  need_module numpy python3-numpy
+  need_module pytest python3-pytest
+  need_module shapely python3-shapely
+  need_module matplotlib python3-matplotlib
+  need_module distributed python3-distributed
+fi
 if [ "$mode" = test ] || [ "$mode" = tools ]; then
   need_header boost/multiprecision/cpp_int.hpp libboost-dev
   has_header catch2/catch.hpp || need_header catch2/catch_all.hpp catch2
@@ -94,5 +105,13 @@ case $mode in
     cmake --build --preset wasm
     ctest --preset wasm
     echo "the playground: $PWD/build/wasm/playground/index.html"
+    ;;
+  python)
+    # The packages above are those of Debian's own Python.
+    cmake --preset python -DPython3_EXECUTABLE=/usr/bin/python3
+    cmake --build --preset python
+    ctest --preset python
+    echo "To use it: export PYTHONPATH=$PWD/build/python/python"
+    echo "or install it: cmake --install build/python --component python"
     ;;
 esac

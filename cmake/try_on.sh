@@ -6,8 +6,9 @@
 #   cmake/try_on.sh trixie [FOLDER [MODE...]]    Debian 13 in FOLDER (default: build/try_on/trixie),
 #                                                kept for another try
 #
-# A mode is demo or test, a command of the README, or package: installs the Debian package with what
-# apt gives it, and builds and runs the project of tests/consumer_install. The default is all three.
+# A mode is demo, test or python, a command of setup.sh, or package: installs the Debian package with
+# what apt gives it, and builds and runs the project of tests/consumer_install. The default is demo,
+# test and package.
 set -euo pipefail
 release=${1:-}
 [ -n "$release" ] || { echo "usage: cmake/try_on.sh RELEASE [FOLDER [MODE...]]" >&2; exit 2; }
@@ -67,7 +68,7 @@ started=$SECONDS
 for mode in "${modes[@]}"; do
   before=$SECONDS
   case $mode in
-    demo | test) try_command "$mode" ;;
+    demo | test | python) try_command "$mode" ;;
     package) try_package ;;
     *) echo "try_on.sh: no mode is named $mode" >&2; exit 2 ;;
   esac 2>&1 | tee "build/try_on_$release.$mode.log"
