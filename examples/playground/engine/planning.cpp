@@ -26,7 +26,6 @@
 
 namespace playground {
 
-using plan_program::Choices;
 using plan_program::ChosenPlanner;
 using plan_program::UsageError;
 using plan_program::VehicleArguments;
@@ -87,14 +86,9 @@ struct Task {
   std::string key;  ///< of the planner
 };
 
-Task task_of(const Stage& stage, const nlohmann::json& request) {
+Task task_of(const nlohmann::json& request) {
   Task task{
       algorithm(request, "search"), algorithm(request, "smoother"), vehicle_of(request), {}, {}};
-  const auto headings = plan_program::vehicle_names().searches;
-  const bool plans_headings =
-      std::find(headings.begin(), headings.end(), task.search.name()) != headings.end();
-  plan_program::check_choices({plans_headings, {task.search}, {task.smoother}}, task.vehicle,
-                              stage.has_cells());
   task.query.start = fields::point(fields::field(request, "start"), "start");
   task.query.goal = fields::point(fields::field(request, "goal"), "goal");
   task.query.start_heading = optional_number(request, "start_heading");
@@ -112,6 +106,11 @@ Task task_of(const Stage& stage, const nlohmann::json& request) {
 
 const ChosenPlanner& planner_of(Stage& stage, const Task& task) {
   return stage.planner(task.key, [&] {
+    const auto headings = plan_program::vehicle_names().searches;
+    const bool plans_headings =
+        std::find(headings.begin(), headings.end(), task.search.name()) != headings.end();
+    plan_program::check_choices({plans_headings, {task.search}, {task.smoother}}, task.vehicle,
+                                stage.has_cells());
     return plan_program::make_planner(stage.space(), {}, task.search, task.smoother, task.vehicle);
   });
 }
@@ -182,11 +181,7 @@ void add_curves(Json& reply, const Stage& stage, const Task& task, const ChosenP
   reply["route"] = sampled(stage.space(), route.curve, route.gears, samples);
   reply["curve"] = sampled(stage.space(), plan.curve, plan.gears, samples);
   if (route.vehicle) {
-    Json discs = Json::array();
-    for (const FootprintDisc& disc : route.vehicle->footprint) {
-      discs.push_back({{"offset", tutavia::detail::to_json(disc.offset)}, {"radius", disc.radius}});
-    }
-    reply["footprint"] = std::move(discs);
+    reply["footprint"] = tutavia::detail::to_json(*route.vehicle)["footprint"];
   }
   if (!plan.fell_back) return;
   const auto refused = planner.smooth(route, task.query.budget);
@@ -249,7 +244,7 @@ Json catalogue() {
 
 Json plan(Stage& stage, const nlohmann::json& request) {
   const auto began = std::chrono::steady_clock::now();
-  const Task task = task_of(stage, request);
+  const Task task = task_of(request);
   const ChosenPlanner& planner = planner_of(stage, task);
   const auto events = static_cast<std::size_t>(count_of(request, "events", 0));
   const auto samples =
@@ -284,7 +279,7 @@ Json draw(Stage& stage, const nlohmann::json& request) {
   std::vector<Plan> plans;
   fields::each(fields::field(request, "plans"), "plans",
                [&](const nlohmann::json& one, const std::string&) {
-                 const Task task = task_of(stage, one);
+                 const Task task = task_of(one);
                  const std::string label = task.search.text + ", " + task.smoother.text;
                  auto plan = planner_of(stage, task).plan(task.query, nullptr);
                  if (!plan) {
