@@ -16,7 +16,7 @@ namespace tutavia {
 
 /// Plans every query in `threads` threads (0: one per core), each with a worker of `planner`.
 /// Results are in query order. Unless a budget expires, they do not depend on the number of
-/// threads.
+/// threads. Throws the first exception of a thread, such as std::bad_alloc, when all have ended.
 ///
 /// Example: examples/07_batch.cpp.
 template <class Search, class Smooth, detail::PlannableSpace<Search, Smooth> S>

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <set>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -49,6 +50,32 @@ TEST_CASE("one thread is this one, and takes the indices in order") {
   });
   CHECK(order == std::vector<std::size_t>{0, 1, 2, 3, 4});
   CHECK(threads == std::set{std::this_thread::get_id()});
+}
+
+TEST_CASE("an exception ends the loop and is thrown when all threads have ended") {
+  for (const unsigned threads : {1u, 4u}) {
+    CAPTURE(threads);
+    std::atomic<std::size_t> begun{0}, running{0};
+    const auto loop = [&] {
+      for_each_in_parallel(1000000, threads, [&] {
+        return [&](std::size_t i) {
+          ++begun;
+          ++running;
+          --running;
+          if (i == 20) throw std::runtime_error("20");
+        };
+      });
+    };
+    CHECK_THROWS_AS(loop(), std::runtime_error);
+    CHECK(running == 0);
+    CHECK(begun >= 21);
+    CHECK(begun < 1000000);
+  }
+}
+
+TEST_CASE("a body that cannot be made is an exception, too") {
+  const auto make = []() -> void (*)(std::size_t) { throw std::logic_error("no body"); };
+  CHECK_THROWS_AS(for_each_in_parallel(10, 3, make), std::logic_error);
 }
 
 }  // namespace
