@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -49,6 +50,17 @@ TEST_CASE("clearance of cells is the signed distance that brute force finds") {
     }
   });
   CHECK(std::min({outside, inside, touching}) > scaled(200));
+}
+
+TEST_CASE("the clearance of a point with NaN to cells is NaN, and it is not free") {
+  OccupancyGrid cells = OccupancyGrid::blocked(4, 4).value();
+  cells.set_run(2, 0, 3, true);
+  const CellSpace space = CellSpace::build(std::move(cells)).value();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Point& p : {Point(nan, 2.5), Point(2.5, nan), Point(nan, nan)}) {
+    CHECK(std::isnan(space.clearance(p)));
+    CHECK_FALSE(space.is_free(p));
+  }
 }
 
 TEST_CASE("the nearest edge of a segment is the one that brute force finds") {

@@ -38,6 +38,18 @@ TEST_CASE("clearance is the signed distance that brute force finds") {
   }
 }
 
+TEST_CASE("the clearance of a point with NaN is NaN, and it is not free") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto space =
+      InflatedSpace::build(
+          {.bounds = {{0, 0}, {9, 9}}, .safety_radius = 0.5, .obstacles = {Disc{{4, 4}, 1}}})
+          .value();
+  for (const Point& p : {Point(nan, 1), Point(1, nan), Point(nan, nan)}) {
+    CHECK(std::isnan(space.clearance(p)));
+    CHECK_FALSE(space.is_free(p));
+  }
+}
+
 TEST_CASE("a segment is free iff all of its points are") {
   const std::uint64_t seed = 2;
   test::WorldGenerator worlds(seed);

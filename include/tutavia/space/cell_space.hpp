@@ -102,7 +102,7 @@ class CellSpace {
   bool is_free(const Point& p) const { return segment_free(p, p); }
   bool segment_free(const Point& p, const Point& q) const;
   /// Signed distance from `p` to the nearest blocked cell [m], negative inside; infinity if no cell
-  /// is blocked.
+  /// is blocked; NaN if a coordinate is.
   double clearance(const Point& p) const;
   /// See ClearanceSpace. `obstacle` is the index of the blocked cell in `cells()`; its edges are
   /// numbered counterclockwise, from the right one.
@@ -254,6 +254,7 @@ inline bool CellSpace::segment_free(const Point& p, const Point& q) const {
 }
 
 inline double CellSpace::clearance(const Point& p) const {
+  if (p.hasNaN()) return std::numeric_limits<double>::quiet_NaN();
   const double distance = nearest(Segment{p, p}, std::numeric_limits<double>::infinity()).distance;
   return is_inside(p) ? -distance : distance;
 }

@@ -54,7 +54,7 @@ class InflatedSpace {
   bool segment_free(const Point& p, const Point& q) const;
 
   /// Signed distance from `p` to the nearest obstacle [m], negative inside; infinity without
-  /// obstacles.
+  /// obstacles; NaN if a coordinate is.
   double clearance(const Point& p) const;
 
   /// Distance from a segment or an arc to the nearest obstacle edge or disc; see ClearanceSpace.
@@ -269,6 +269,7 @@ inline double InflatedSpace::depth(std::uint32_t obstacle, const Point& p) const
 }
 
 inline double InflatedSpace::clearance(const Point& p) const {
+  if (p.hasNaN()) return std::numeric_limits<double>::quiet_NaN();
   double result = nearest(Segment{p, p}, std::numeric_limits<double>::infinity()).distance;
   areas_.for_each_in({p, p}, [&](std::uint32_t i) {
     if (contains(std::get<Polygon>(workspace_.obstacles[i]), p)) {
