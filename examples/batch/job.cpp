@@ -78,6 +78,19 @@ std::string digest_of(const CellSpace& space) {
   return digest.add(space.safety_radius()).text();
 }
 
+std::string digest_of(const CellCosts& costs) {
+  Digest digest;
+  digest.add(double(costs.width())).add(double(costs.height()));
+  std::string row(static_cast<std::size_t>(costs.width()), '\0');
+  for (int y = 0; y < costs.height(); ++y) {
+    for (int x = 0; x < costs.width(); ++x) {
+      row[static_cast<std::size_t>(x)] = static_cast<char>(costs[{x, y}]);
+    }
+    digest.add(row);
+  }
+  return digest.text();
+}
+
 std::string digest_of(std::span<const Query> queries) {
   Digest digest;
   for (const Query& query : queries) {
@@ -137,6 +150,14 @@ std::string describe_job(std::string_view algorithms, std::string_view space,
       .append(digest_of(queries));
 }
 
+namespace {
+
+std::ptrdiff_t commas_of(std::string_view line) {
+  return std::count(line.begin(), line.end(), ',');
+}
+
+}  // namespace
+
 Expected<Progress, Failure> count_results(std::string_view text) {
   const auto is_other = [](std::size_t line) {
     return fail(PlanError::invalid_input,
@@ -152,8 +173,11 @@ Expected<Progress, Failure> count_results(std::string_view text) {
   for (progress.bytes = end + 1;; ++progress.results, progress.bytes = end + 1) {
     end = text.find('\n', progress.bytes);
     if (end == std::string_view::npos) return progress;
+    const std::string_view line = text.substr(progress.bytes, end - progress.bytes);
     const std::string number = std::to_string(progress.results) + ",";
-    if (text.substr(progress.bytes, number.size()) != number) return is_other(progress.results + 2);
+    if (line.substr(0, number.size()) != number || commas_of(line) != commas_of(result_header)) {
+      return is_other(progress.results + 2);
+    }
   }
 }
 

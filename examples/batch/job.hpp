@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "tutavia/grid/cell_costs.hpp"
 #include "tutavia/plan/query.hpp"
 #include "tutavia/plan/vehicle.hpp"
 #include "tutavia/registry/algorithm_text.hpp"
@@ -34,6 +35,7 @@ class Digest {
 /// The digest of all that the answers of a space depend on.
 std::string digest_of(const LatticeSpace& space);
 std::string digest_of(const CellSpace& space);
+std::string digest_of(const CellCosts& costs);
 std::string digest_of(std::span<const Query> queries);
 std::string digest_of(const Vehicle& vehicle);
 
@@ -53,7 +55,7 @@ struct Progress {
 
 /// Counts the results of a text that starts with the header. A last line without a line break was
 /// cut off while it was written, and does not count. Errors: `invalid_input` for another header,
-/// and for a line that does not start with its number.
+/// and for a line that does not start with its number or has another number of columns.
 Expected<Progress, Failure> count_results(std::string_view text);
 
 }  // namespace batch_program

@@ -5,10 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <iostream>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -104,6 +102,18 @@ std::string algorithms_of(const Choices& choices, const Arguments& args) {
   return text;
 }
 
+/// The space with all that its answers depend on.
+std::string space_text(const Task& task) {
+  std::string text = std::visit([](const auto& known) { return digest_of(known); }, task.space);
+  if (task.frame.is_turned()) {
+    const Point origin = task.frame.to_map(Point::Zero());
+    text.append(" turned ")
+        .append(Digest().add(origin.x()).add(origin.y()).add(task.frame.yaw()).text());
+  }
+  if (task.costs != nullptr) text.append(" costs ").append(digest_of(*task.costs));
+  return text;
+}
+
 /// The queries in the frame of the grid, which is another one than the map's if that is turned.
 std::vector<Query> to_grid(const Task& task, std::vector<Query> queries) {
   if (!task.frame.is_turned()) return queries;
@@ -117,43 +127,29 @@ std::vector<Query> to_grid(const Task& task, std::vector<Query> queries) {
   return queries;
 }
 
-/// The first UsageError that a thread meets.
-class FirstError {
- public:
-  void keep(const UsageError& error) {
-    const std::lock_guard lock(mutex_);
-    if (!error_) error_ = error;
-    is_there_ = true;
-  }
-  bool is_there() const { return is_there_; }
-  void throw_if_there() const {
-    if (error_) throw UsageError{*error_};
-  }
-
- private:
-  std::mutex mutex_;
-  std::atomic<bool> is_there_ = false;
-  std::optional<UsageError> error_;
-};
-
 std::vector<ResultRow> plan_block(const Task& task, const BatchArguments& args,
                                   const Choices& choices, std::span<const Query> queries) {
   std::vector<ResultRow> rows(queries.size());
-  FirstError first_error;
   tutavia::detail::for_each_in_parallel(queries.size(), args.threads, [&] {
-    return [&, planner = plan_program::make_planner(
-                   task.space, task.costs, choices.searches.front(), choices.smoothers.front(),
-                   args.input.vehicle)](std::size_t i) {
-      if (first_error.is_there()) return;
-      try {
-        rows[i] = to_row(planner.plan(queries[i], nullptr));
-      } catch (const UsageError& error) {
-        first_error.keep(error);
-      }
-    };
+    return
+        [&, planner = plan_program::make_planner(task.space, task.costs, choices.searches.front(),
+                                                 choices.smoothers.front(), args.input.vehicle)](
+            std::size_t i) { rows[i] = to_row(planner.plan(queries[i], nullptr)); };
   });
-  first_error.throw_if_there();
   return rows;
+}
+
+/// Throws a UsageError if the choices do not fit the queries, such as headings and a search that
+/// plans none: every query is refused then, each with the same detail.
+void check_options(const Task& task, const BatchArguments& args, const Choices& choices,
+                   std::span<const Query> queries, std::span<const ResultRow> rows) {
+  const bool all_refused = std::all_of(rows.begin(), rows.end(), [](const ResultRow& row) {
+    return !row.is_planned && row.code == PlanError::invalid_option;
+  });
+  if (rows.empty() || !all_refused) return;
+  const auto planner = plan_program::make_planner(task.space, task.costs, choices.searches.front(),
+                                                  choices.smoothers.front(), args.input.vehicle);
+  plan_program::value_or_throw(planner.plan(queries.front(), nullptr));
 }
 
 int run(const BatchArguments& args) {
@@ -161,10 +157,8 @@ int run(const BatchArguments& args) {
       plan_program::value_or_throw(tutavia::detail::read_file(args.queries, &parse_queries));
   const Task task = load(args.input, queries);
   const Choices choices = choose(args, task);
-  const std::string space =
-      std::visit([](const auto& known) { return digest_of(known); }, task.space);
   ResultsFile results(args.results,
-                      describe_job(algorithms_of(choices, args.input), space, queries));
+                      describe_job(algorithms_of(choices, args.input), space_text(task), queries));
   const std::vector<Query> in_grid = to_grid(task, queries);
   // Memory of planners is warm after the first queries of a block.
   constexpr std::size_t block = 8192;
@@ -174,7 +168,9 @@ int run(const BatchArguments& args) {
     ProgressBar bar(done, queries.size());
     while (done < queries.size()) {
       const std::size_t count = std::min(block, queries.size() - done);
-      const auto rows = plan_block(task, args, choices, std::span(in_grid).subspan(done, count));
+      const auto block_queries = std::span(in_grid).subspan(done, count);
+      const auto rows = plan_block(task, args, choices, block_queries);
+      if (done == 0) check_options(task, args, choices, block_queries, rows);
       std::string lines;
       for (std::size_t i = 0; i < count; ++i) {
         append_line(lines, done + i, queries[done + i], rows[i]);

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "results_file.hpp"
 
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -16,6 +21,14 @@ namespace batch_program {
 using plan_program::UsageError;
 
 namespace {
+
+/// Keeps other writers away, also those of Python, until the file is closed.
+void lock(std::FILE* file, const std::string& path) {
+  if (flock(fileno(file), LOCK_EX | LOCK_NB) == 0) return;
+  throw UsageError{path + (errno == EWOULDBLOCK
+                               ? ": another process is writing it"
+                               : std::string(": cannot be locked: ") + std::strerror(errno))};
+}
 
 /// Whether the file has a beginning: results, or the start of a header.
 bool has_begun(const std::string& path) {
@@ -45,6 +58,9 @@ void check_job(const std::string& path, const std::string& job, bool is_begun) {
 }  // namespace
 
 ResultsFile::ResultsFile(const std::string& path, const std::string& job) : path_(path) {
+  file_.reset(std::fopen(path.c_str(), "ab"));
+  if (file_ == nullptr) throw UsageError{path + ": cannot be written"};
+  lock(file_.get(), path);
   const bool is_begun = has_begun(path);
   check_job(path, job, is_begun);
   std::string start(result_header);
@@ -53,20 +69,18 @@ ResultsFile::ResultsFile(const std::string& path, const std::string& job) : path
     const auto progress =
         plan_program::value_or_throw(tutavia::detail::read_file(path, &count_results));
     done_ = progress.results;
-    std::error_code error;
-    std::filesystem::resize_file(path, progress.bytes, error);
-    if (error) throw UsageError{path + ": cannot be written"};
+    if (ftruncate(fileno(file_.get()), static_cast<off_t>(progress.bytes)) != 0) {
+      throw UsageError{path + ": cannot be written"};
+    }
     if (progress.bytes > 0) start.clear();
   }
-  file_.reset(std::fopen(path.c_str(), "ab"));
   append(start);
 }
 
 void ResultsFile::append(const std::string& lines) {
   std::FILE* const file = file_.get();
-  const bool is_written = file != nullptr &&
-                          std::fwrite(lines.data(), 1, lines.size(), file) == lines.size() &&
-                          std::fflush(file) == 0;
+  const bool is_written =
+      std::fwrite(lines.data(), 1, lines.size(), file) == lines.size() && std::fflush(file) == 0;
   if (!is_written) throw UsageError{path_ + ": cannot be written"};
 }
 

@@ -17,7 +17,7 @@ class ResultsFile {
  public:
   /// Opens a file to append results: an empty or new one, or one that the same job began, whose
   /// last line is removed if it is not whole. Throws a UsageError for a file of another job or of
-  /// something else, and for one that cannot be written.
+  /// something else, for one that another process writes, and for one that cannot be written.
   ResultsFile(const std::string& path, const std::string& job);
 
   /// How many results the file held when it was opened.
