@@ -108,7 +108,7 @@ case $mode in
     ;;
   python)
     # The packages above are those of Debian's own Python.
-    cmake --preset python -DPython3_EXECUTABLE=/usr/bin/python3
+    cmake --preset python -DPython3_EXECUTABLE=/usr/bin/python3 "${@:2}"
     cmake --build --preset python
     ctest --preset python
     echo "To use it: export PYTHONPATH=$PWD/build/python/python"

@@ -105,7 +105,7 @@ def interrupts(_, rounds=20):
               {"max_iterations": 10**9}, 0.1)]
     cases += [(f"{search} on a snake", snake, *ends, search, "none", {}, 0.05)
               for search in ("dijkstra", "astar", "theta_star", "any_angle", "bidirectional_astar")]
-    cases += [(f"astar and {smoother} on a snake", snake, *ends, "jps", smoother, {}, delay)
+    cases += [(f"jps and {smoother} on a snake", snake, *ends, "jps", smoother, {}, delay)
               for smoother, delay in (("clothoid", 0.3), ("taut_string", 0.3), ("bezier", 0.3))]
     for name, space, start, goal, search, smoother, options, delay in cases:
         begin = time.perf_counter()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "arrays.hpp"
 
+#include <cmath>
+
 #include "failures.hpp"
 
 namespace tutavia_python {
@@ -8,7 +10,7 @@ namespace tutavia_python {
 namespace {
 
 /// The version of what pickles hold. Raise it whenever the states of any class change.
-constexpr int pickle_format = 1;
+constexpr int pickle_format = 2;
 
 std::string text_of(py::handle value) {
   std::string text = py::repr(value);
@@ -21,10 +23,17 @@ std::string text_of(py::handle value) {
         std::string(name) + ": expected " + expected + ", got " + text_of(found));
 }
 
+/// Forgets what a conversion raised, but not KeyboardInterrupt and its like.
+void clear_error() {
+  if (PyErr_Occurred() == nullptr) return;
+  if (PyErr_ExceptionMatches(PyExc_Exception) == 0) throw py::error_already_set();
+  PyErr_Clear();
+}
+
 bool read_number(PyObject* item, double& value) {
   value = PyFloat_AsDouble(item);
   if (value != -1.0 || PyErr_Occurred() == nullptr) return true;
-  PyErr_Clear();
+  clear_error();
   return false;
 }
 
@@ -68,9 +77,10 @@ Point to_point(py::handle value, const char* name) {
     if (!is_point) refuse(name, expected, value);
     return {x, y};
   }
-  if (PyUnicode_Check(pair) || PyBytes_Check(pair)) refuse(name, expected, value);
+  const bool has_no_order = PyAnySet_Check(pair) || PyDict_Check(pair);
+  if (PyUnicode_Check(pair) || PyBytes_Check(pair) || has_no_order) refuse(name, expected, value);
   const auto sequence = py::reinterpret_steal<py::object>(PySequence_Fast(pair, ""));
-  PyErr_Clear();
+  clear_error();
   const bool is_point = sequence && PySequence_Fast_GET_SIZE(sequence.ptr()) == 2 &&
                         read_number(PySequence_Fast_GET_ITEM(sequence.ptr(), 0), x) &&
                         read_number(PySequence_Fast_GET_ITEM(sequence.ptr(), 1), y);
@@ -78,11 +88,35 @@ Point to_point(py::handle value, const char* name) {
   return {x, y};
 }
 
+Point to_finite_point(py::handle value, const char* name) {
+  const Point p = to_point(value, name);
+  if (!p.allFinite()) refuse(name, "two finite numbers (x, y)", value);
+  return p;
+}
+
+double to_number(py::handle value, const char* name) {
+  double number = 0;
+  if (!read_number(value.ptr(), number)) refuse(name, "a number", value);
+  return number;
+}
+
 std::optional<double> to_optional_number(py::handle value, const char* name) {
   if (value.is_none()) return std::nullopt;
   double number = 0;
   if (!read_number(value.ptr(), number)) refuse(name, "a number or None", value);
   return number;
+}
+
+std::uint64_t to_count(py::handle value, const char* name, std::uint64_t most) {
+  if (!PyBool_Check(value.ptr())) {
+    const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+    const std::uint64_t count = number ? PyLong_AsUnsignedLongLong(number.ptr()) : 0;
+    const bool is_read = number && PyErr_Occurred() == nullptr;
+    clear_error();
+    if (is_read && count <= most) return count;
+  }
+  raise(PlanError::invalid_option, std::string(name) + ": expected a whole number from 0 to " +
+                                       std::to_string(most) + ", got " + text_of(value));
 }
 
 Numbers to_table(py::handle value, py::ssize_t columns, const char* name) {
@@ -93,6 +127,27 @@ Numbers to_table(py::handle value, py::ssize_t columns, const char* name) {
                                         std::to_string(columns) + "), got " + shape_of(array));
   }
   return to_doubles(array);
+}
+
+bool is_number(py::handle value) {
+  if (py::isinstance<py::array>(value)) {
+    return py::reinterpret_borrow<py::array>(value).ndim() == 0;
+  }
+  return PyNumber_Check(value.ptr()) != 0;
+}
+
+Numbers to_column_without_nan(py::handle value, const char* name) {
+  const py::array array = to_array(value, name);
+  if (array.ndim() != 1) {
+    raise(PlanError::invalid_input,
+          std::string(name) + ": expected an array of shape (n,), got " + shape_of(array));
+  }
+  Numbers numbers = to_doubles(array);
+  for (py::ssize_t i = 0; i < numbers.size(); ++i) {
+    if (!std::isnan(numbers.at(i))) continue;
+    raise(PlanError::invalid_input, std::string(name) + "[" + std::to_string(i) + "] is nan");
+  }
+  return numbers;
 }
 
 Numbers to_column(py::handle value, py::ssize_t rows, const char* name) {

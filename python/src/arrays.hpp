@@ -5,6 +5,8 @@
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +26,16 @@ using Numbers = py::array_t<double, py::array::c_style>;
 /// A pair of numbers: a tuple, a list or an array of two. Raises InvalidInput, which names it.
 Point to_point(py::handle value, const char* name);
 
+/// The same, of finite numbers.
+Point to_finite_point(py::handle value, const char* name);
+
+/// A number. Raises InvalidInput.
+double to_number(py::handle value, const char* name);
+
+/// A whole number from 0 to `most`, also one of numpy. Raises InvalidOption.
+std::uint64_t to_count(py::handle value, const char* name,
+                       std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+
 /// A number that may be None. Raises InvalidInput.
 std::optional<double> to_optional_number(py::handle value, const char* name);
 
@@ -33,6 +45,12 @@ Numbers to_table(py::handle value, py::ssize_t columns, const char* name);
 
 /// A real array of one dimension with `rows` numbers. Raises InvalidInput.
 Numbers to_column(py::handle value, py::ssize_t rows, const char* name);
+
+/// Whether this is a number or an array without dimensions.
+bool is_number(py::handle value);
+
+/// A real array of one dimension. Raises InvalidInput, also for NaN.
+Numbers to_column_without_nan(py::handle value, const char* name);
 
 /// An array of shape (n,) or (n, 2), filled by `at(i)`.
 template <class At>

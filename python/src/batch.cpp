@@ -5,12 +5,10 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
-#include <type_traits>
 
 #include "arrays.hpp"
 #include "batch/queries.hpp"
@@ -65,6 +63,8 @@ std::string lines_of(const BatchHandle& self, std::size_t number) {
   return text;
 }
 
+constexpr auto last_code = PlanError::limit_exceeded;
+
 /// A plan as tutavia.Plan, or the members of a failure but its statistics.
 py::object result_state(const Expected<Plan, Failure>& result) {
   if (result) return py::cast(PlanHandle{*result});
@@ -78,8 +78,12 @@ py::object result_state(const Expected<Plan, Failure>& result) {
 Expected<Plan, Failure> result_of(const py::handle& state) {
   if (py::isinstance<PlanHandle>(state)) return state.cast<const PlanHandle&>().plan;
   const auto members = state.cast<py::tuple>();
+  const int code = members[0].cast<int>();
+  if (code < 0 || code > static_cast<int>(last_code)) {
+    raise(PlanError::invalid_input, "the pickle of this failure is damaged");
+  }
   Failure failure;
-  failure.code = static_cast<PlanError>(members[0].cast<int>());
+  failure.code = static_cast<PlanError>(code);
   failure.detail = members[1].cast<std::string>();
   failure.clearance = members[2].cast<std::optional<double>>();
   failure.obstacle = members[3].cast<std::optional<std::size_t>>();
@@ -90,25 +94,70 @@ Expected<Plan, Failure> result_of(const py::handle& state) {
   return Unexpected{std::move(failure)};
 }
 
+// The figures of a row, as they are pickled.
+constexpr std::array row_figures{&ResultRow::length, &ResultRow::clearance_lower,
+                                 &ResultRow::clearance_upper, &ResultRow::turning_angle,
+                                 &ResultRow::max_curvature};
+constexpr unsigned char planned_code = 255;
+
 py::tuple batch_state(const BatchHandle& self) {
-  static_assert(std::is_trivially_copyable_v<ResultRow>);
-  const py::bytes rows(reinterpret_cast<const char*>(self.rows.data()),
-                       self.rows.size() * sizeof(ResultRow));
+  std::string codes, fell_back;
+  Numbers figures({self.rows.size(), row_figures.size()});
+  py::array_t<std::uint64_t> expanded(static_cast<py::ssize_t>(self.rows.size()));
+  double* figure = figures.mutable_data();
+  std::uint64_t* count = expanded.mutable_data();
+  for (const ResultRow& row : self.rows) {
+    codes.push_back(
+        static_cast<char>(row.is_planned ? planned_code : static_cast<unsigned char>(row.code)));
+    fell_back.push_back(row.fell_back ? 1 : 0);
+    for (const auto member : row_figures) *figure++ = row.*member;
+    *count++ = row.expanded;
+  }
   py::list plans;
   for (const auto& result : self.plans) plans.append(result_state(*result));
-  return pickle_head("Batch") + py::make_tuple(QueriesHandle{self.queries}, rows, plans);
+  return pickle_head("Batch") + py::make_tuple(QueriesHandle{self.queries}, py::bytes(codes),
+                                               py::bytes(fell_back), figures, expanded, plans);
 }
 
 BatchHandle batch_of(const py::tuple& state) {
-  check_pickle(state, "Batch", 6);
+  check_pickle(state, "Batch", 9);
   BatchHandle batch{.queries = state[3].cast<const QueriesHandle&>().queries,
                     .rows = {},
                     .plans = {},
                     .space = py::none()};
-  const auto rows = state[4].cast<std::string>();
-  batch.rows.resize(rows.size() / sizeof(ResultRow));
-  std::memcpy(batch.rows.data(), rows.data(), batch.rows.size() * sizeof(ResultRow));
-  for (const py::handle result : state[5]) batch.plans.emplace_back(result_of(result));
+  const auto codes = state[4].cast<std::string>(), fell_back = state[5].cast<std::string>();
+  const auto figures = state[6].cast<Numbers>();
+  const auto expanded = state[7].cast<py::array_t<std::uint64_t, py::array::c_style>>();
+  const std::size_t count = batch.queries.size();
+  const auto rows = static_cast<py::ssize_t>(count);
+  const bool is_whole = codes.size() == count && fell_back.size() == count && figures.ndim() == 2 &&
+                        figures.shape(0) == rows &&
+                        figures.shape(1) == py::ssize_t{row_figures.size()} &&
+                        expanded.ndim() == 1 && expanded.shape(0) == rows;
+  const auto damaged = [] {
+    raise(PlanError::invalid_input, "the pickle of this batch is damaged");
+  };
+  if (!is_whole) damaged();
+  const double* figure = figures.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto code = static_cast<unsigned char>(codes[i]);
+    if (code != planned_code && code > static_cast<unsigned char>(last_code)) damaged();
+    ResultRow& row = batch.rows.emplace_back();
+    row.is_planned = code == planned_code;
+    if (!row.is_planned) row.code = static_cast<PlanError>(code);
+    row.fell_back = fell_back[i] != 0;
+    for (const auto member : row_figures) row.*member = *figure++;
+    row.expanded = expanded.data()[i];
+  }
+  for (const py::handle result : state[8]) batch.plans.emplace_back(result_of(result));
+  if (!batch.plans.empty() && batch.plans.size() != count) damaged();
+  for (std::size_t i = 0; i < batch.plans.size(); ++i) {
+    const bool is_planned = batch.plans[i]->has_value();
+    if (is_planned != batch.rows[i].is_planned ||
+        (!is_planned && batch.plans[i]->error().code != batch.rows[i].code)) {
+      damaged();
+    }
+  }
   return batch;
 }
 
@@ -250,17 +299,6 @@ seeds: an array of n whole numbers, or None.
 
 }  // namespace
 
-std::uint64_t to_count(const py::object& value, const char* name) {
-  const std::uint64_t count = PyLong_Check(value.ptr()) != 0
-                                  ? PyLong_AsUnsignedLongLong(value.ptr())
-                                  : std::numeric_limits<std::uint64_t>::max();
-  if (PyErr_Occurred() == nullptr && PyLong_Check(value.ptr()) != 0) return count;
-  PyErr_Clear();
-  raise(PlanError::invalid_option, std::string(name) +
-                                       ": expected a whole number, not negative, or None, got " +
-                                       std::string(py::repr(value)));
-}
-
 std::vector<Query> to_queries(const py::object& starts, const py::object& goals,
                               const py::object& start_headings, const py::object& goal_headings,
                               const py::object& seeds) {
@@ -292,6 +330,9 @@ std::vector<Query> to_queries(const py::object& starts, const py::object& goals,
   if ((kind != 'u' && kind != 'i') || array.ndim() != 1 || array.shape(0) != from.shape(0)) {
     raise(PlanError::invalid_input,
           "seeds: expected an array of shape (" + std::to_string(count) + ",) of whole numbers");
+  }
+  if (kind == 'i' && array.attr("min")(py::arg("initial") = 0).cast<std::int64_t>() < 0) {
+    raise(PlanError::invalid_input, "seeds: expected whole numbers that are not negative");
   }
   const auto numbers =
       py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>::ensure(array);

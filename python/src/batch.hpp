@@ -52,9 +52,6 @@ std::vector<Query> to_queries(const py::object& starts, const py::object& goals,
                               const py::object& start_headings, const py::object& goal_headings,
                               const py::object& seeds);
 
-/// A whole number that is not negative. Raises InvalidOption.
-std::uint64_t to_count(const py::object& value, const char* name);
-
 /// Plans every query with workers of the planner. A stop skips the queries that have not begun.
 template <class PlannerType, class S>
 BatchResults run_batch(const PlannerType& planner, const S& space, const BatchQueries& input,

@@ -6,8 +6,8 @@
 
 #include <atomic>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -18,124 +18,126 @@ namespace tutavia_python {
 
 namespace {
 
-/// Waits for signals on a pipe and stops the watch that is active. Never destroyed: its thread
-/// waits until the process ends.
-class Watcher {
+// What the handler of the signal reads.
+std::atomic<int> wake_end{-1};  // of the pipe on which the thread of the module waits
+std::atomic<std::uint64_t> current_watch{0};
+std::atomic<std::uint64_t> interrupted_watch{0};
+struct sigaction python_action {};
+static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+
+// With the GIL alone.
+bool is_python_action_known = false;
+bool is_watching = false;
+unsigned long main_thread = 0;
+
+void on_sigint(int number, siginfo_t* info, void* context) {
+  const int error = errno;
+  interrupted_watch = current_watch.load();
+  const char byte = 0;
+  [[maybe_unused]] const ssize_t written = write(wake_end, &byte, 1);
+  errno = error;
+  if ((python_action.sa_flags & SA_SIGINFO) != 0) {
+    python_action.sa_sigaction(number, info, context);
+  } else if (python_action.sa_handler != SIG_DFL && python_action.sa_handler != SIG_IGN) {
+    python_action.sa_handler(number);
+  }
+}
+
+/// Waits for the handler of the signal, and requests the stop of the watch that was interrupted.
+/// Never destroyed: its thread waits until the process ends.
+class Waiter {
  public:
-  Watcher() {
+  Waiter() {
     int ends[2];
     if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-    read_ = ends[0];
-    write_ = ends[1];
     for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
-    fcntl(write_, F_SETFL, O_NONBLOCK);
-    std::thread([this] { wait(); }).detach();
+    fcntl(ends[1], F_SETFL, O_NONBLOCK);
+    wake_end = ends[1];
+    std::thread([this, end = ends[0]] { wait(end); }).detach();
   }
 
-  int descriptor() const { return write_; }
-
-  std::stop_token begin(int forward) {
+  std::stop_token begin() {
     const std::lock_guard lock(mutex_);
     if (source_.stop_requested()) source_ = {};
-    is_active_ = true;
-    forward_ = forward;
+    ++current_watch;
     return source_.get_token();
   }
   void end() {
     const std::lock_guard lock(mutex_);
-    is_active_ = false;
+    ++current_watch;
   }
 
  private:
-  void wait() {
+  void wait(int end) {
     // Handlers of signals belong to other threads.
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, nullptr);
-    for (unsigned char number = 0;;) {
-      const ssize_t count = read(read_, &number, 1);
+    for (char byte = 0;;) {
+      const ssize_t count = read(end, &byte, 1);
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) return;
       const std::lock_guard lock(mutex_);
-      if (number == SIGINT && is_active_) source_.request_stop();
-      if (forward_ >= 0) forwarded_ = write(forward_, &number, 1);
+      if (interrupted_watch == current_watch) source_.request_stop();
     }
   }
 
-  int read_ = -1, write_ = -1;
   std::mutex mutex_;
   std::stop_source source_;
-  bool is_active_ = false;
-  int forward_ = -1;
-  ssize_t forwarded_ = 0;
 };
 
-// Written with the GIL held: at the first watch, and in the child after a fork.
-Watcher* watcher = nullptr;
-unsigned long main_thread = 0;
-using Clock = std::chrono::steady_clock;
-Clock::time_point lent_until{};  // until then the pipe is taken to be where it was put
+Waiter* waiter = nullptr;
 
-/// signal.set_wakeup_fd(descriptor, warn_on_full_buffer=False): the one that was there before. Its
-/// C function is not exported by every build of Python.
-int set_wakeup_descriptor(int descriptor) {
-  static PyObject* const function =
-      py::object(py::module_::import("signal").attr("set_wakeup_fd")).release().ptr();
-  static PyObject* const names = py::make_tuple("warn_on_full_buffer").release().ptr();
-  const py::int_ number(descriptor);
-  PyObject* const arguments[] = {number.ptr(), Py_False};
-  const auto before =
-      py::reinterpret_steal<py::object>(PyObject_Vectorcall(function, arguments, 1, names));
-  if (!before) throw py::error_already_set();
-  return before.cast<int>();
-}
-
-/// Gives the descriptor that was there before its place back, unless it was closed meanwhile.
-void restore(int previous) {
-  try {
-    set_wakeup_descriptor(previous);
-  } catch (const py::error_already_set&) {
-    set_wakeup_descriptor(-1);
-  }
+/// Whether the module's handler stands before Python's. Not before the handler of another library
+/// that came later: that one may call this one.
+bool stands_before_python() {
+  struct sigaction now {};
+  sigaction(SIGINT, nullptr, &now);
+  if ((now.sa_flags & SA_SIGINFO) != 0 && now.sa_sigaction == &on_sigint) return true;
+  if (is_python_action_known && now.sa_handler != python_action.sa_handler) return false;
+  python_action = now;
+  is_python_action_known = true;
+  now.sa_sigaction = &on_sigint;
+  now.sa_flags |= SA_SIGINFO;
+  return sigaction(SIGINT, &now, nullptr) == 0;
 }
 
 }  // namespace
 
-SignalWatch::SignalWatch() {
-  if (PyThread_get_thread_ident() != main_thread) return;
-  if (watcher == nullptr) watcher = new Watcher;
-  if (const auto now = Clock::now(); now >= lent_until) {
-    const int before = set_wakeup_descriptor(watcher->descriptor());
-    if (before == watcher->descriptor() || before == -1) {
-      lent_until = now + std::chrono::milliseconds(1);
-    } else {
-      previous_ = before;
-    }
-  }
-  token_ = watcher->begin(previous_);
-  is_watching_ = true;
-  if (PyErr_CheckSignals() == 0) return;
-  py::error_already_set raised;
-  end();
-  throw raised;
+SigintWatch::SigintWatch() {
+  if (waiter == nullptr) waiter = new Waiter;
+  token_ = waiter->begin();
+  is_watching = true;
 }
 
-SignalWatch::~SignalWatch() {
-  if (is_watching_) end();
+SigintWatch::~SigintWatch() {
+  is_watching = false;
+  waiter->end();
 }
 
-void SignalWatch::end() {
-  watcher->end();
-  if (previous_ != -1) restore(previous_);
+Hearing hearing() {
+  if (PyThread_get_thread_ident() != main_thread) return Hearing::none;
+  // The functions of the module in C: those of `signal` wrap their results, which takes longer.
+  static PyObject* const get_handler =
+      py::object(py::module_::import("_signal").attr("getsignal")).release().ptr();
+  static PyObject* const raises =
+      py::object(py::module_::import("_signal").attr("default_int_handler")).release().ptr();
+  static PyObject* const number = PyLong_FromLong(SIGINT);
+  const auto handler =
+      py::reinterpret_steal<py::object>(PyObject_CallFunctionObjArgs(get_handler, number, nullptr));
+  if (!handler) throw py::error_already_set();
+  if (PyCallable_Check(handler.ptr()) == 0) return Hearing::none;
+  // A handler that runs during a watch may plan, too.
+  const bool may_watch = handler.ptr() == raises && !is_watching && stands_before_python();
+  return may_watch ? Hearing::watched : Hearing::asked;
 }
 
 void bind_interrupt(py::module_& m) {
   const auto start = [] {
-    // The thread is gone, and the pipe is that of the parent.
+    // The thread of the module is gone, and the pipe is that of the parent.
     main_thread = PyThread_get_thread_ident();
-    if (lent_until != Clock::time_point{}) restore(-1);
-    watcher = nullptr;
-    lent_until = {};
+    is_watching = false;
+    waiter = nullptr;
   };
   main_thread =
       py::module_::import("threading").attr("main_thread")().attr("ident").cast<unsigned long>();

@@ -3,7 +3,8 @@
 
 #include <pybind11/pybind11.h>
 
-#include <optional>
+#include <chrono>
+#include <future>
 #include <stop_token>
 
 /// \file
@@ -25,48 +26,81 @@ class GilRelease {
   PyThreadState* state_;
 };
 
-/// While one lives in the main thread, SIGINT requests its stop.
-///
-/// Python's handler of a signal writes the signal's number to a file descriptor
-/// (signal.set_wakeup_fd). A SignalWatch lends it a pipe, on which one thread of the process waits;
-/// so work that is not interrupted pays for no polling and no thread of its own. Where somebody
-/// else's descriptor was there before (that of asyncio, for instance), bytes reach it, too, and it
-/// gets its place back afterwards. Else the pipe stays, and is put there again once a millisecond
-/// at most: that takes system calls, as long as a short plan. In other threads a watch does
-/// nothing, as Python runs handlers in the main thread alone.
-class SignalWatch {
+/// While one lives, SIGINT requests its stop, and then reaches Python's handler as before. The
+/// handler of the signal only wakes a thread of the module, which waits for that; so work that is
+/// not interrupted pays for no polling and no thread of its own.
+class SigintWatch {
  public:
-  /// Runs handlers of signals that came before. Throws what they raise.
-  SignalWatch();
-  ~SignalWatch();
-  SignalWatch(const SignalWatch&) = delete;
-  SignalWatch& operator=(const SignalWatch&) = delete;
+  /// \pre `hearing()` has just answered `watched`
+  SigintWatch();
+  ~SigintWatch();
+  SigintWatch(const SigintWatch&) = delete;
+  SigintWatch& operator=(const SigintWatch&) = delete;
 
-  std::stop_token token() const { return token_; }
+  const std::stop_token& token() const { return token_; }
   bool was_interrupted() const { return token_.stop_requested(); }
 
  private:
-  void end();
-
-  bool is_watching_ = false;
-  int previous_ = -1;  // somebody else's file descriptor, or -1
   std::stop_token token_{};
 };
 
-/// Returns `work(token)`, called without the GIL. If SIGINT comes in the main thread, the token is
-/// stopped, and what the handler of Python raises is thrown: KeyboardInterrupt. If the handler
-/// raises nothing, the work is done anew.
+/// How SIGINT is heard during work. All of this is for the main thread, with the GIL.
+enum class Hearing {
+  none,     ///< not at all: other threads, and processes whose SIGINT is no matter of Python's
+  watched,  ///< by a SigintWatch: Python's own handler, which always raises KeyboardInterrupt
+  asked,    ///< by asking every few milliseconds: handlers of users, which may raise or not
+};
+/// The way for the handler that is there now. Puts the module's handler before Python's own one,
+/// and leaves it there: a system call to see that it still is takes as long as half a short plan.
+Hearing hearing();
+
+/// Throws what handlers of signals raise that came meanwhile.
+inline void run_signal_handlers() {
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+/// Returns `work(token)` from another thread. Python's handlers run meanwhile; when one raises,
+/// the token is stopped, and what it raised is thrown.
+template <class Work>
+auto run_asking(const Work& work) {
+  std::stop_source stop;
+  auto future = std::async(std::launch::async, [&] { return work(stop.get_token()); });
+  const auto is_ready = [&future] {
+    const GilRelease released;
+    return future.wait_for(std::chrono::milliseconds(2)) == std::future_status::ready;
+  };
+  while (!is_ready()) {
+    if (PyErr_CheckSignals() == 0) continue;
+    py::error_already_set raised;
+    stop.request_stop();
+    while (!is_ready()) {
+    }
+    throw raised;
+  }
+  return future.get();
+}
+
+/// Returns `work(token)`, called without the GIL. If a handler of Python raises in the main thread,
+/// the token is stopped, and what it raised is thrown: KeyboardInterrupt at Ctrl-C. A handler that
+/// raises nothing cancels nothing.
 template <class Work>
 auto run_interruptible(const Work& work) {
-  for (;;) {
-    SignalWatch watch;
-    auto result = [&] {
-      const GilRelease released;
-      return work(watch.token());
-    }();
-    if (!watch.was_interrupted()) return result;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  const Hearing how = hearing();
+  if (how == Hearing::asked) return run_asking(work);
+  if (how == Hearing::none) {
+    const GilRelease released;
+    return work(std::stop_token());
   }
+  const SigintWatch watch;
+  run_signal_handlers();
+  auto result = [&] {
+    const GilRelease released;
+    return work(watch.token());
+  }();
+  if (!watch.was_interrupted()) return result;
+  run_signal_handlers();
+  PyErr_SetNone(PyExc_KeyboardInterrupt);
+  throw py::error_already_set();
 }
 
 }  // namespace tutavia_python

@@ -170,7 +170,7 @@ py::object sample(const ProfileHandle& self, double dt) {
 }
 
 py::object at(const ProfileHandle& self, const py::object& times) {
-  const Numbers column = to_column(times, py::len(times), "times");
+  const Numbers column = to_column_without_nan(times, "times");
   std::vector<SpeedProfile::State> states;
   for (py::ssize_t i = 0; i < column.size(); ++i) states.push_back(self.profile.at(column.at(i)));
   return to_samples(states);

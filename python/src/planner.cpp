@@ -91,13 +91,13 @@ Budget to_budget(const py::object& time_limit, const py::object& max_expansions)
 
 py::object plan(PlannerHandle& self, const py::object& space, const py::object& start,
                 const py::object& goal, const py::object& start_heading,
-                const py::object& goal_heading, std::uint64_t seed, const py::object& time_limit,
-                const py::object& max_expansions) {
+                const py::object& goal_heading, const py::object& seed,
+                const py::object& time_limit, const py::object& max_expansions) {
   Query query{.start = to_point(start, "start"), .goal = to_point(goal, "goal")};
   query.start_heading = to_optional_number(start_heading, "start_heading");
   query.goal_heading = to_optional_number(goal_heading, "goal_heading");
   query.budget = to_budget(time_limit, max_expansions);
-  query.seed = seed;
+  query.seed = to_count(seed, "seed");
   return with_space(space, [&]<class Handle>(const std::shared_ptr<Handle>& handle) -> py::object {
     auto& pool = self.pool<typename Handle::Space>();
     const auto planner = pool.lend();
@@ -113,8 +113,8 @@ py::object plan(PlannerHandle& self, const py::object& space, const py::object& 
 py::object batch(PlannerHandle& self, const py::object& space, const py::object& starts,
                  const py::object& goals, const py::object& start_headings,
                  const py::object& goal_headings, const py::object& seeds,
-                 const py::object& time_limit, const py::object& max_expansions, unsigned threads,
-                 bool keep_plans) {
+                 const py::object& time_limit, const py::object& max_expansions,
+                 const py::object& threads, bool keep_plans) {
   BatchQueries queries{to_queries(starts, goals, start_headings, goal_headings, seeds)};
   if (const auto seconds = to_optional_number(time_limit, "time_limit")) {
     to_budget(time_limit, py::none());
@@ -124,10 +124,12 @@ py::object batch(PlannerHandle& self, const py::object& space, const py::object&
     const std::uint64_t most = to_count(max_expansions, "max_expansions");
     for (Query& query : queries.queries) query.budget.max_expansions = most;
   }
+  constexpr std::uint64_t most_threads = 4096;
+  const auto used = static_cast<unsigned>(to_count(threads, "threads", most_threads));
   return with_space(space, [&]<class Handle>(const std::shared_ptr<Handle>& handle) -> py::object {
     auto& pool = self.pool<typename Handle::Space>();
     auto result = run_interruptible([&](const std::stop_token& stop) {
-      return run_batch(pool.model(), handle->space, queries, stop, threads, keep_plans);
+      return run_batch(pool.model(), handle->space, queries, stop, used, keep_plans);
     });
     return py::cast(BatchHandle{std::move(queries.queries), std::move(result.rows),
                                 std::move(result.plans), space});

@@ -95,14 +95,15 @@ py::object sample(const Curve& curve, double ds) {
 
 py::object at(const Curve& curve, const py::object& s) {
   check_not_empty(curve);
-  const py::array array = py::array::ensure(s);
-  if (array && array.ndim() == 0) {
-    const CurvePoint state = curve.at(s.cast<double>());
+  if (is_number(s)) {
+    const double length = to_number(s, "s");
+    if (std::isnan(length)) raise(PlanError::invalid_input, "s: expected a number, got nan");
+    const CurvePoint state = curve.at(length);
     return py::module_::import("tutavia.samples")
         .attr("CurveSamples")(state.s, py::make_tuple(state.position.x(), state.position.y()),
                               state.heading, state.curvature);
   }
-  const Numbers lengths = to_column(s, array ? array.size() : 0, "s");
+  const Numbers lengths = to_column_without_nan(s, "s");
   std::vector<CurvePoint> states;
   for (py::ssize_t i = 0; i < lengths.size(); ++i) states.push_back(curve.at(lengths.at(i)));
   return samples_of(states);
@@ -138,7 +139,7 @@ Raises InvalidOption for a step that is not positive.)")
           "nearest",
           [](const Curve& curve, const py::object& point) {
             check_not_empty(curve);
-            const Curve::Nearest near = curve.nearest(to_point(point, "point"));
+            const Curve::Nearest near = curve.nearest(to_finite_point(point, "point"));
             return py::make_tuple(near.s, py::make_tuple(near.position.x(), near.position.y()),
                                   near.distance);
           },
@@ -184,16 +185,15 @@ py::tuple certificate_state(const Certificate& c) {
 }
 
 Certificate certificate_of(const py::tuple& state) {
-  return {static_cast<ProofStatus>(state[0].cast<int>()),
-          state[1].cast<double>(),
-          state[2].cast<double>(),
-          {state[3].cast<double>(), state[4].cast<double>()},
-          state[5].cast<std::size_t>(),
-          state[6].cast<double>(),
-          state[7].cast<std::uint32_t>(),
-          state[8].cast<std::uint32_t>(),
-          state[9].cast<double>(),
-          state[10].cast<std::size_t>()};
+  const int status = state[0].cast<int>();
+  if (status < 0 || status > static_cast<int>(ProofStatus::undecided)) {
+    raise(PlanError::invalid_input, "the pickle of this certificate is damaged");
+  }
+  return {static_cast<ProofStatus>(status), state[1].cast<double>(),
+          state[2].cast<double>(),          {state[3].cast<double>(), state[4].cast<double>()},
+          state[5].cast<std::size_t>(),     state[6].cast<double>(),
+          state[7].cast<std::uint32_t>(),   state[8].cast<std::uint32_t>(),
+          state[9].cast<double>(),          state[10].cast<std::size_t>()};
 }
 
 void bind_certificate(py::module_& m) {
@@ -361,6 +361,12 @@ PlanHandle plan_of(const py::tuple& state) {
             .route = route_of(state[6]),
             .fell_back = state[7].cast<bool>(),
             .stats = statistics_of(state[8])};
+  const auto fit = [](const Curve& curve, const std::vector<Gear>& gears) {
+    return !curve.empty() && (gears.empty() || gears.size() == curve.pieces().size());
+  };
+  if (!fit(plan.curve, plan.gears) || !fit(plan.route.curve, plan.route.gears)) {
+    raise(PlanError::invalid_input, "the pickle of this plan is damaged");
+  }
   plan.metrics = measure(plan.curve, plan.certificate, plan.gears);
   return {std::move(plan)};
 }

@@ -11,7 +11,7 @@ from tutavia import searches
 
 
 @pytest.mark.parametrize("start", [(1,), (1, 2, 3), "ab", b"ab", 7, None, (1, "x"), {"x": 1},
-                                   numpy.zeros((2, 2)), [(1, 2)]])
+                                   numpy.zeros((2, 2)), [(1, 2)], {1, 2}, {1: 2, 3: 4}])
 def test_points_of_other_shapes(lattice, start):
     with pytest.raises(tutavia.InvalidInput, match=r"start: expected two numbers \(x, y\)"):
         tutavia.plan(lattice, start, (14, 6))
@@ -75,6 +75,13 @@ def test_views_and_orders_of_memory_do_not_matter():
     ([tutavia.Disc((0, math.inf), 1)], r"obstacles\[0\].center"),
     ([{"type": "Sphere", "coordinates": []}], r"obstacles\[0\].*'Sphere' is no obstacle.*Polygon"),
     ([{}], r"type None is no obstacle"),
+    ([{"type": []}], r"type \[\] is no obstacle"),
+    ([{"type": "FeatureCollection"}], r"obstacles\[0\]: a FeatureCollection has a list of features"),
+    ([{"type": "FeatureCollection", "features": ["tree"]}], r"features\[0\]: expected a GeoJSON"),
+    ([{"type": "GeometryCollection", "geometries": 3}], "has a list of geometries, found 3"),
+    ([{"type": "Polygon", "coordinates": 5}], "these are no coordinates of a Polygon"),
+    ([{"type": "Point", "coordinates": [1]}], r"obstacles\[0\].*\(n, 2\)"),
+    ([numpy.zeros((4, 3))], r"obstacles\[0\].*\(n, 2\).*\(4, 3\)"),
     ([{"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": {
         "type": "CircularString", "coordinates": [[0, 0]]}}]}], r"features\[0\].*CircularString"),
 ])
@@ -117,6 +124,10 @@ def test_bounds_and_radius_of_a_workspace(bounds, radius, message):
     ({"time_limit": "soon"}, "time_limit"),
     ({"max_expansions": -1}, "max_expansions"),
     ({"max_expansions": 1.5}, "max_expansions"),
+    ({"max_expansions": True}, "max_expansions"),
+    ({"max_expansions": 2**64}, "max_expansions: expected a whole number from 0 to"),
+    ({"seed": -1}, "seed: expected a whole number"),
+    ({"seed": "one"}, "seed: expected a whole number"),
     ({"start_heading": 1.0}, "start_heading.*hybrid_astar"),
     ({"vehicle": 3}, "vehicle: expected a tutavia.Vehicle"),
     ({"search": tutavia.smoothers.clothoid()}, "clothoid is a smoother"),
@@ -124,6 +135,29 @@ def test_bounds_and_radius_of_a_workspace(bounds, radius, message):
 def test_options_of_plans(lattice, options, message):
     with pytest.raises(ValueError, match=message):
         tutavia.plan(lattice, (2, 1), (14, 6), **options)
+
+
+def test_whole_numbers_of_numpy_are_whole_numbers(lattice):
+    for kind in (numpy.int8, numpy.uint64):
+        plan = tutavia.plan(lattice, (2, 1), (14, 6), seed=kind(3))
+        assert plan.stats.seed == 3
+    with pytest.raises(tutavia.BudgetExhausted):
+        tutavia.plan(lattice, (2, 1), (14, 6), max_expansions=numpy.int64(2))
+
+
+@pytest.mark.parametrize("option", ["time_limit", "max_expansions", "seed", "threads"])
+def test_planners_have_no_options_of_queries(option):
+    with pytest.raises(tutavia.InvalidOption, match=f"^invalid_option: {option}: no option of an "
+                                                    "algorithm.*Planner.plan"):
+        tutavia.Planner("astar", **{option: 1})
+
+
+def test_options_of_another_type_are_other_options(lattice):
+    for _ in range(2):
+        tutavia.plan(lattice, (2, 1), (14, 6), "rrt", max_iterations=100000)
+        tutavia.plan(lattice, (2, 1), (14, 6), "weighted_astar", weight=1)
+        with pytest.raises(tutavia.InvalidOption, match="weight: expected a number"):
+            tutavia.plan(lattice, (2, 1), (14, 6), "weighted_astar", weight=True)
 
 
 def test_options_of_algorithms_are_checked_where_they_are_given():
@@ -156,8 +190,16 @@ def test_seeds_and_headings_of_queries():
     two = numpy.zeros((2, 2))
     with pytest.raises(tutavia.InvalidInput, match="seeds"):
         tutavia.Queries(two, two, seeds=[0.5, 1.5])
+    with pytest.raises(tutavia.InvalidInput, match="seeds.*not negative"):
+        tutavia.Queries(two, two, seeds=[3, -1])
     with pytest.raises(tutavia.InvalidInput, match="start_headings"):
         tutavia.Queries(two, two, start_headings=[0.5])
+
+
+@pytest.mark.parametrize("threads", [-1, 1.5, "two", 10**6])
+def test_threads_of_a_batch(lattice, threads):
+    with pytest.raises(tutavia.InvalidOption, match="threads: expected a whole number from 0 to 4096"):
+        tutavia.plan_batch(lattice, [[2, 1]], [[14, 6]], threads=threads)
 
 
 @pytest.mark.parametrize("text, message", [
@@ -194,6 +236,24 @@ def test_steps_of_samples(lattice, ds):
     if ds != math.inf:
         with pytest.raises(tutavia.InvalidOption, match="dt"):
             plan.speed_profile().sample(ds)
+
+
+def test_nan_is_no_place(lattice, cells):
+    curve = tutavia.plan(lattice, (2, 1), (14, 6)).curve
+    for point in ((math.nan, 1), (1, math.inf)):
+        with pytest.raises(tutavia.InvalidInput, match="point: expected two finite numbers"):
+            curve.nearest(point)
+    for s in (math.nan, "x", None, [1.0, math.nan], numpy.zeros((2, 2)), [[1], [2, 3]]):
+        with pytest.raises(tutavia.InvalidInput, match="^invalid_input: s"):
+            curve.at(s)
+    assert curve.at(math.inf).s == curve.at(numpy.array(1e9)).s == curve.length
+    for times in (3.0, "x", [math.nan]):
+        with pytest.raises(tutavia.InvalidInput, match="times"):
+            tutavia.SpeedProfile(curve).at(times)
+    for space in (lattice, cells):
+        assert math.isnan(space.clearance((math.nan, 1))) and not space.is_free((math.nan, 1))
+        assert numpy.isnan(space.clearance(numpy.array([[1, math.nan], [1, 1]]))).tolist() == [
+            True, False]
 
 
 @pytest.mark.parametrize("car", [(0, 1, 0, 1), (4, -1, 2, 5), (4, 2, 5, 5), (4, 2, 2, -1),

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Many queries: files of results, restarts, and Dask clusters whose workers die."""
 
+import fcntl
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -14,7 +16,7 @@ import pytest
 import tutavia
 
 distributed = pytest.importorskip("distributed")
-from tutavia.distributed import plan_many, read_results  # noqa: E402
+from tutavia.distributed import HEADER, plan_many, read_results  # noqa: E402
 
 COUNT = 3000
 
@@ -42,7 +44,6 @@ def client(cluster):
 def expected(lattice, queries):
     """The file that one process writes."""
     batch = tutavia.plan_batch(lattice, queries.starts, queries.goals, keep_plans=False)
-    from tutavia.distributed import HEADER
     return HEADER + "\n" + batch._lines(0)
 
 
@@ -97,12 +98,50 @@ def test_results_of_another_job_are_refused(client, lattice, queries, tmp_path, 
     os.remove(f"{path}.job")
     with pytest.raises(tutavia.InvalidInput, match="there is no"):
         plan_many(client, lattice, queries, path)
-    other = tmp_path / "other.csv"
-    other.write_text("a,b\n1,2\n")
-    (tmp_path / "other.csv.job").write_text((tmp_path / "results.csv.job").read_text()
-                                            if os.path.exists(f"{path}.job") else "")
-    with pytest.raises(tutavia.InvalidInput):
-        plan_many(client, lattice, queries, other)
+
+
+@pytest.mark.parametrize("text, line", [("a,b\n1,2\n", 1), (HEADER + "\n1,2,3\n", 2),
+                                        (HEADER + "\n0,2,3\n", 2), (HEADER + "\n\n", 2)])
+def test_what_is_no_file_of_results_is_refused_and_kept(client, lattice, queries, tmp_path, text,
+                                                        line):
+    path = tmp_path / "results.csv"
+    plan_many(client, lattice, queries, path)  # for the job
+    path.write_text(text)
+    with pytest.raises(tutavia.InvalidInput, match=f"line {line}: this is no file of results"):
+        plan_many(client, lattice, queries, path)
+    assert path.read_text() == text
+    with pytest.raises(tutavia.InvalidInput, match=f"line {line}"):
+        read_results(path)
+
+
+@pytest.mark.parametrize("cut", [10, 700, 5000, 5003])
+def test_results_of_a_file_that_was_cut_are_its_whole_lines(expected, tmp_path, cut):
+    path = tmp_path / "results.csv"
+    path.write_text(expected[:len(HEADER) + 1 + cut])
+    whole = expected[len(HEADER) + 1:][:cut].count("\n")
+    columns = read_results(path)
+    assert columns["query"].tolist() == list(range(whole))
+    assert set(columns) == set(HEADER.split(","))
+    assert all(len(values) == whole for values in columns.values())
+
+
+def test_lines_that_are_not_in_order_are_no_results(expected, tmp_path):
+    path = tmp_path / "results.csv"
+    lines = expected.splitlines(keepends=True)
+    path.write_text("".join(lines[:5] + lines[6:9]))
+    with pytest.raises(tutavia.InvalidInput, match="line 6: this is no result of the query"):
+        read_results(path)
+
+
+def test_a_file_has_one_writer(client, lattice, queries, tmp_path):
+    path = tmp_path / "results.csv"
+    with open(path, "ab") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        with pytest.raises(tutavia.InvalidInput, match="another process is writing it"):
+            plan_many(client, lattice, queries, path)
+        assert path.stat().st_size == 0
+    plan_many(client, lattice, queries, path)
+    assert len(read_results(path)["query"]) == COUNT
 
 
 def test_bad_input_is_refused_before_anything_is_written(client, lattice, queries, tmp_path):
@@ -113,6 +152,12 @@ def test_bad_input_is_refused_before_anything_is_written(client, lattice, querie
             ((lattice, queries, path), {"heuristics": "octile"}, "did you mean heuristic"),
             ((lattice, queries, path), {"search": "any_angle"}, "any_angle"),
             ((lattice, queries, path), {"chunk": 0}, "chunk"),
+            ((lattice, queries, path), {"chunk": 1.5}, "chunk"),
+            ((lattice, queries, path), {"threads": 0}, "threads"),
+            ((lattice, queries, path), {"threads": "two"}, "threads"),
+            ((lattice, queries, path), {"retries": -1}, "retries"),
+            ((lattice, queries, path), {"max_expansions": 2.0}, "max_expansions"),
+            ((lattice, queries, path), {"time_limit": 1}, "time_limit: no option"),
             ((lattice, queries, "results.txt"), {}, "NAME.csv or NAME.parquet"),
             (("space", queries, path), {}, "expected a LatticeSpace")):
         with pytest.raises(ValueError, match=message):
@@ -147,10 +192,12 @@ def test_a_worker_that_dies_loses_no_query(lattice, queries, expected, tmp_path)
                     time.sleep(0.005)
                 os.kill(pids[0], signal.SIGKILL)
 
-            killer = threading.Thread(target=kill_when_begun)
+            # A daemon, so that a plan that fails does not wait for it.
+            killer = threading.Thread(target=kill_when_begun, daemon=True)
             killer.start()
             plan_many(client, lattice, queries, path, chunk=20)
-            killer.join()
+            killer.join(timeout=60)
+            assert not killer.is_alive()
     assert path.read_text() == expected
 
 
@@ -219,8 +266,53 @@ class TestCommandLine:
             done = self.run(*arguments)
             assert done.returncode == 2
             assert len(done.stderr.splitlines()) == 1
-            import re
             assert re.search(message, done.stderr), done.stderr
+
+    def test_a_file_has_one_writer(self, queries_csv, tmp_path):
+        path = tmp_path / "results.csv"
+        with open(path, "ab") as file:
+            fcntl.flock(file, fcntl.LOCK_EX)
+            done = self.run(queries_csv, "--map", "maze", "--results", path)
+        assert done.returncode == 2 and "another process is writing it" in done.stderr
+        assert path.stat().st_size == 0
+
+    def test_options_that_fit_no_query_are_named(self, tmp_path):
+        queries = tmp_path / "queries.csv"
+        queries.write_text("start_x,start_y,goal_x,goal_y,start_heading\n2,1,14,6,0\n")
+        path = tmp_path / "results.csv"
+        done = self.run(queries, "--map", "maze", "--results", path)
+        assert done.returncode == 2 and "start_heading" in done.stderr
+        assert path.read_text() == HEADER + "\n"
+
+    def test_a_turned_map_and_its_unknown_cells_are_part_of_the_job(self, tmp_path):
+        def write(yaw, x, unknown):
+            rows = [[254] * 20 for _ in range(20)]
+            for column in range(20):
+                rows[10][column] = 205 if column in unknown else 0 if column < 15 else 254
+            pixels = "\n".join(" ".join(map(str, row)) for row in rows)
+            (tmp_path / "m.pgm").write_text(f"P2\n20 20\n255\n{pixels}\n")
+            (tmp_path / "m.yaml").write_text(
+                f"image: m.pgm\nresolution: 0.5\norigin: [{x}, 2, {yaw}]\nnegate: 0\n"
+                "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
+
+        def job(*options):
+            path = tmp_path / "r.csv"
+            for file in (path, tmp_path / "r.csv.job"):
+                file.unlink(missing_ok=True)
+            self.run(queries, "--grid", tmp_path / "m.yaml", "--results", path, *options,
+                     check=True)
+            return (tmp_path / "r.csv.job").read_text()
+
+        queries = tmp_path / "queries.csv"
+        queries.write_text("start_x,start_y,goal_x,goal_y\n2,4,2,10\n")
+        jobs = []
+        for yaw, x, unknown in ((0.1, 1, {3}), (0.2, 1, {3}), (0.1, 1.5, {3}), (0.1, 1, {3, 4})):
+            write(yaw, x, unknown)
+            jobs.append(job("--unknown", "cost:5"))
+        jobs.append(job("--unknown", "cost:6"))
+        assert len(set(jobs)) == len(jobs)
+        write(0.1, 1, {3})
+        assert job("--unknown", "cost:5") == jobs[0]
 
     def test_other_jobs_are_refused(self, queries_csv, tmp_path):
         path = tmp_path / "results.csv"

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Ctrl-C, signals and the GIL. No test asserts a time: benchmarks/calls.py measures."""
+"""Ctrl-C, signals and the GIL. No test asserts a time: benchmarks/speed.py measures."""
 
 import asyncio
+import contextlib
 import os
 import signal
 import subprocess
@@ -23,6 +24,15 @@ def interrupt_soon(seconds=0.2):
     timer = threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     return timer
+
+
+@contextlib.contextmanager
+def handling_sigint(handler):
+    before = signal.signal(signal.SIGINT, handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_ctrl_c_cancels_a_plan(lattice):
@@ -47,29 +57,73 @@ def test_a_handler_that_raises_something_else_is_heard(lattice):
     def stop(*_):
         raise Stop
 
-    before = signal.signal(signal.SIGINT, stop)
-    try:
+    with handling_sigint(stop), pytest.raises(Stop):
         interrupt_soon()
-        with pytest.raises(Stop):
-            tutavia.plan(lattice, (2, 1), (14, 6), **ENDLESS)
-    finally:
-        signal.signal(signal.SIGINT, before)
+        tutavia.plan(lattice, (2, 1), (14, 6), **ENDLESS)
 
 
-def test_a_handler_that_raises_nothing_does_not_cancel(lattice):
+def test_a_handler_that_raises_nothing_runs_during_the_plan_and_ends_nothing(lattice):
     heard = []
-    before = signal.signal(signal.SIGINT, lambda *_: heard.append(1))
-    try:
+
+    class Stop(Exception):
+        pass
+
+    def handle(*_):
+        heard.append(1)
+        if len(heard) == 3:
+            raise Stop
+        interrupt_soon(0.05)
+
+    # Only a handler that is called three times during this one plan ends it.
+    with handling_sigint(handle), pytest.raises(Stop):
+        interrupt_soon(0.05)
+        tutavia.plan(lattice, (2, 1), (14, 6), **ENDLESS)
+    assert len(heard) == 3
+
+
+def test_a_handler_may_plan(lattice):
+    lengths = []
+
+    def handle(*_):
+        lengths.append(tutavia.plan(lattice, (2, 1), (14, 6)).length)
+
+    limited = {**ENDLESS, "max_iterations": 30000}
+    with handling_sigint(handle):
         timer = interrupt_soon(0.05)
-        limited = {**ENDLESS, "max_iterations": 30000}
         plan = tutavia.plan(lattice, (2, 1), (14, 6), **limited)
         timer.join()
-    finally:
-        signal.signal(signal.SIGINT, before)
-    assert heard and plan.length == tutavia.plan(lattice, (2, 1), (14, 6), **limited).length
+        time.sleep(0.01)
+    assert lengths == [tutavia.plan(lattice, (2, 1), (14, 6)).length]
+    assert plan.length == tutavia.plan(lattice, (2, 1), (14, 6), **limited).length
 
 
-def test_other_signals_wait_until_the_plan_ends(lattice):
+def test_no_ctrl_c_is_lost_whenever_it_comes(lattice):
+    # A lost one would let the plan without an end run until its time limit, and fail the test.
+    seed = time.time_ns() % 10**6
+    print("seed", seed)
+    random = numpy.random.default_rng(seed)
+    for _ in range(100):
+        with pytest.raises(KeyboardInterrupt):
+            interrupt_soon(random.uniform(0, 0.003))
+            for _ in range(random.integers(0, 200)):
+                tutavia.plan(lattice, (2, 1), (2.5, 1))
+            tutavia.plan(lattice, (2, 1), (14, 6), time_limit=30, **ENDLESS)
+
+
+def test_without_a_handler_of_python_the_process_ends(lattice):
+    program = textwrap.dedent("""
+        import os, signal, threading
+        import tutavia
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+        space = tutavia.LatticeSpace(tutavia.builtin_map("maze").workspace, resolution=0.2)
+        threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+        tutavia.plan(space, (2, 1), (14, 6), "rrt_star", "none", max_iterations=10**9)
+    """)
+    run = subprocess.run([sys.executable, "-c", program], timeout=60)
+    assert run.returncode == -signal.SIGINT
+
+
+def test_other_signals_are_not_lost(lattice):
     heard = []
     before = signal.signal(signal.SIGUSR1, lambda *_: heard.append(1))
     try:
@@ -93,6 +147,19 @@ def test_asyncio_still_hears_signals(lattice):
         await asyncio.wait_for(heard.wait(), 10)
 
     asyncio.run(main())
+
+
+def test_under_asyncio_ctrl_c_is_a_matter_of_the_loop(lattice):
+    async def main():
+        heard = asyncio.Event()
+        asyncio.get_running_loop().add_signal_handler(signal.SIGINT, heard.set)
+        timer = interrupt_soon(0.05)
+        plan = tutavia.plan(lattice, (2, 1), (14, 6), **{**ENDLESS, "max_iterations": 30000})
+        timer.join()
+        await asyncio.wait_for(heard.wait(), 10)
+        return plan
+
+    assert asyncio.run(main()).certificate.status == "proved"
 
 
 def test_other_threads_run_during_a_plan(lattice):
@@ -152,9 +219,30 @@ def test_a_forked_process_hears_ctrl_c():
     assert subprocess.run([sys.executable, "-c", program], timeout=60).returncode == 7
 
 
-def test_a_signal_before_a_plan_is_handled_first(lattice):
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
-    os.kill(os.getpid(), signal.SIGINT)
-    with pytest.raises(KeyboardInterrupt):
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
-        tutavia.plan(lattice, (2, 1), (14, 6), **ENDLESS)
+def test_a_process_forked_during_a_plan_hears_ctrl_c():
+    program = textwrap.dedent("""
+        import os, signal, sys, threading, time
+        import tutavia
+        space = tutavia.LatticeSpace(tutavia.builtin_map("maze").workspace, resolution=0.2)
+        codes = []
+
+        def work():
+            time.sleep(0.1)
+            child = os.fork()
+            if child != 0:
+                codes.append(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+                return
+            try:
+                threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+                tutavia.plan(space, (2, 1), (14, 6), "rrt_star", "none", max_iterations=10**9)
+            except KeyboardInterrupt:
+                os._exit(7)
+            os._exit(1)
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        tutavia.plan(space, (2, 1), (14, 6), "rrt_star", "none", max_iterations=10**9, time_limit=1)
+        thread.join()
+        sys.exit(codes[0])
+    """)
+    assert subprocess.run([sys.executable, "-c", program], timeout=60).returncode == 7

@@ -72,6 +72,21 @@ def test_anything_with_a_geo_interface_is_an_obstacle():
     assert len(tutavia.Workspace((0, 0, 9, 9), (Machine() for _ in range(2))).obstacles) == 6
 
 
+def space_of_table(table):
+    return tutavia.LatticeSpace(tutavia.Workspace((0, 0, 10, 10), table), resolution=0.5)
+
+
+def test_tables_of_geopandas_are_their_geometries():
+    geometries = [shapely.Polygon(SQUARE), shapely.Point(5, 5)]
+    geopandas = pytest.importorskip("geopandas")
+    frame = geopandas.GeoDataFrame({"name": ["a", "b"]}, geometry=geometries, index=[7, 3])
+    for table in (frame, frame.geometry):
+        assert same(space_of_table(table), space_of(*geometries))
+    frame.loc[3, "geometry"] = None
+    with pytest.raises(tutavia.InvalidInput, match=r"obstacles\[1\]: NoneType is no obstacle"):
+        space_of_table(frame)
+
+
 def test_the_index_of_an_obstacle_is_that_of_its_part():
     space = space_of(shapely.MultiPolygon([shapely.Polygon(SQUARE),
                                            shapely.Polygon([(5, 5), (6, 5), (6, 6)])]))

@@ -136,3 +136,35 @@ def test_damaged_curves_are_refused(lattice):
                     (kinds, numbers[:32] + numbers[40:] + numbers[:8])):
         with pytest.raises(tutavia.InvalidInput, match="damaged"):
             fresh.__setstate__((*head, *damaged))
+
+
+def test_damaged_batches_are_refused(lattice):
+    points = numpy.random.default_rng(9).uniform(0, 16, (2, 20, 2))
+    batch = tutavia.plan_batch(lattice, *points)
+    state = batch.__getstate__()
+    head, queries, codes, fell_back, figures, expanded, plans = state[:3], *state[3:]
+    fresh = tutavia.Batch.__new__(tutavia.Batch)
+    for damaged in ((queries[:3], codes, fell_back, figures, expanded, plans),
+                    (queries, codes[:-1], fell_back, figures, expanded, plans),
+                    (queries, b"\x20" * 20, fell_back, figures, expanded, plans),
+                    (queries, codes, fell_back[1:], figures, expanded, plans),
+                    (queries, codes, fell_back, figures[:, :3], expanded, plans),
+                    (queries, codes, fell_back, figures, expanded[:7], plans),
+                    (queries, codes, fell_back, figures, expanded, plans[:-1]),
+                    (queries, codes, fell_back, figures, expanded, plans[::-1])):
+        with pytest.raises(tutavia.InvalidInput, match="damaged"):
+            fresh.__setstate__((*head, *damaged))
+    fresh.__setstate__(state)
+    assert fresh.status == batch.status
+
+
+def test_a_planner_may_be_derived_from(lattice):
+    class Counting(tutavia.Planner):
+        count = 0
+
+        def plan(self, *arguments, **options):
+            self.count += 1
+            return super().plan(*arguments, **options)
+
+    planner = Counting("jps")
+    assert planner.plan(lattice, (2, 1), (14, 6)).length > 0 and planner.count == 1

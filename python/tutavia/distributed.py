@@ -11,7 +11,9 @@ Workers need tutavia of the same version, and nothing else of this program.
 """
 
 import csv
+import fcntl
 import io
+import operator
 import os
 import pickle
 import sys
@@ -54,8 +56,11 @@ def plan_many(client, space, queries, results: Optional[str] = None, *,
     job are refused by InvalidInput.
     """
     queries = _queries(queries)
-    if not isinstance(chunk, int) or chunk < 1:
-        raise InvalidOption(f"chunk: expected a whole number of queries, got {chunk!r}")
+    chunk = _whole(chunk, "chunk", 1)
+    threads = _whole(threads, "threads", 1, 4096)
+    retries = _whole(retries, "retries", 0)
+    if max_expansions is not None:
+        max_expansions = _whole(max_expansions, "max_expansions", 0, 2**64 - 1)
     planner = Planner(search, smoother, vehicle=vehicle, **options)
     planner._native.check_on(space)
     job = planner._native.describe_job(space, queries)
@@ -77,14 +82,22 @@ def read_results(file) -> Dict[str, numpy.ndarray]:
     """The columns of a CSV file of results, by name.
 
     file: a path or an open text file. Figures are NaN where there is no plan; `status` is an array
-    of strings, `fell_back` of bools.
+    of strings, `fell_back` of bools. A last line that was cut off while it was written does not
+    count. Raises InvalidInput with the line for what is no file of results.
     """
     if not hasattr(file, "read"):
         with open(file, newline="", encoding="utf-8") as opened:
             return read_results(opened)
-    rows = list(csv.reader(file))
+    text = file.read()
+    rows = list(csv.reader(io.StringIO(text[:text.rfind("\n") + 1])))
     if not rows or rows[0] != HEADER.split(","):
         raise InvalidInput("line 1: this is no file of results")
+    first = rows[1][0] if len(rows) > 1 and rows[1] else "0"
+    for index, row in enumerate(rows[1:]):
+        if len(row) != len(rows[0]):
+            raise InvalidInput(f"line {index + 2}: expected {len(rows[0])} columns, got {len(row)}")
+        if not first.isdecimal() or row[0] != str(int(first) + index):
+            raise InvalidInput(f"line {index + 2}: this is no result of the query after the last")
     columns = {}
     for name, values in zip(rows[0], zip(*rows[1:]) if len(rows) > 1 else [()] * len(rows[0])):
         if name == "status":
@@ -96,6 +109,17 @@ def read_results(file) -> Dict[str, numpy.ndarray]:
         else:
             columns[name] = numpy.array([float(value) if value else numpy.nan for value in values])
     return columns
+
+
+def _whole(value, name, least, most=2**63 - 1):
+    try:
+        number = None if isinstance(value, bool) else operator.index(value)
+    except TypeError:
+        number = None
+    if number is None or not least <= number <= most:
+        raise InvalidOption(
+            f"{name}: expected a whole number from {least} to {most}, got {value!r}")
+    return number
 
 
 def _queries(queries):
@@ -246,13 +270,30 @@ def _check_job(path, job_path, job, has_begun):
                            f"({job}): give another file")
 
 
+def _lock(file, path):
+    """Keeps other writers away, also tutavia-batch, until the file is closed."""
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise InvalidInput(f"{path}: another process is writing it") from None
+
+
 class _CsvSink:
     """A file whose lines are in the order of the queries; a restart appends to it."""
 
     def __init__(self, path, job):
-        has_begun = os.path.exists(path) and os.path.getsize(path) > 0
-        _check_job(path, path + ".job", job, has_begun)
         self.done = 0
+        self.file = open(path, "ab")
+        try:
+            _lock(self.file, path)
+            self._begin(path, job)
+        except BaseException:
+            self.file.close()
+            raise
+
+    def _begin(self, path, job):
+        has_begun = self.file.tell() > 0
+        _check_job(path, path + ".job", job, has_begun)
         size = 0
         if has_begun:
             with open(path, "rb") as file:
@@ -260,9 +301,8 @@ class _CsvSink:
                     self.done, size = _native._count_results(file.read())
                 except InvalidInput as error:
                     raise InvalidInput(f"{path}: {error.detail}") from None
-        self.file = open(path, "ab")
-        if self.file.tell() > size:
-            self.file.truncate(size)  # a line that was cut off
+            if self.file.tell() > size:
+                self.file.truncate(size)  # to the last whole line
         if size == 0:
             self._append(HEADER + "\n")
 
@@ -295,7 +335,14 @@ class _ParquetSink:
                                 f"fastparquet; NAME.csv needs nothing ({error})") from None
         self.path = path
         os.makedirs(path, exist_ok=True)
-        _check_job(path, os.path.join(path, "_job"), job, bool(os.listdir(path)))
+        self.lock = open(os.path.join(path, "_lock"), "ab")
+        try:
+            _lock(self.lock, path)
+            has_begun = any(name != "_lock" for name in os.listdir(path))
+            _check_job(path, os.path.join(path, "_job"), job, has_begun)
+        except BaseException:
+            self.lock.close()
+            raise
 
     def _part(self, first):
         return os.path.join(self.path, f"part-{first:012d}.parquet")
@@ -314,7 +361,7 @@ class _ParquetSink:
         os.replace(hidden, part)  # whole, or not there
 
     def close(self):
-        pass
+        self.lock.close()
 
     def columns(self):
         return None

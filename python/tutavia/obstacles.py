@@ -2,6 +2,7 @@
 """Obstacles from arrays, shapely geometries and anything with `__geo_interface__`."""
 
 import math
+from collections.abc import Mapping
 from typing import Any, List, NamedTuple, Tuple
 
 import numpy
@@ -32,7 +33,9 @@ def flatten(obstacles) -> List[Any]:
 
     Raises InvalidInput, with the index, for what is no obstacle.
     """
-    if _is_one(obstacles):
+    if _is_table(obstacles):
+        obstacles = obstacles.geometry
+    elif _is_one(obstacles):
         obstacles = [obstacles]
     try:
         items = iter(obstacles)
@@ -50,15 +53,14 @@ def _name(value):
 
 
 def _is_one(value):
-    is_geometry = hasattr(value, "__geo_interface__") and not _is_series(value)
+    is_geometry = hasattr(value, "__geo_interface__")
     is_corners = isinstance(value, numpy.ndarray) and value.ndim == 2
     return isinstance(value, (Disc, Polygon, dict)) or is_geometry or is_corners
 
 
-def _is_series(value):
-    # A GeoSeries has an interface of its own; as an iterable it keeps the indices.
-    return hasattr(value, "__geo_interface__") and hasattr(value, "__len__") and hasattr(
-        value, "iloc")
+def _is_table(value):
+    # A GeoDataFrame or a GeoSeries: the obstacles are its geometries, in the order of the rows.
+    return hasattr(value, "geometry") and hasattr(value, "iloc")
 
 
 def _add(item, where, flat):
@@ -71,7 +73,7 @@ def _add(item, where, flat):
     elif hasattr(item, "__geo_interface__"):
         _add_geometry(item.__geo_interface__, where, flat, None)
     elif isinstance(item, (numpy.ndarray, list, tuple)):
-        flat.append(Polygon(_ring(item, where)))
+        flat.append(Polygon(_ring(item, where, (2,))))
     else:
         raise InvalidInput(
             f"{where}: {_name(item)} is no obstacle: give an array of shape (n, 2), a "
@@ -88,32 +90,46 @@ def _radius(value, where):
     return radius
 
 
-def _ring(coordinates, where):
+def _ring(coordinates, where, widths=(2, 3, 4)):
+    """The points of a ring; heights and measures of GeoJSON are dropped."""
     try:
         ring = numpy.asarray(coordinates, dtype=float)
     except (TypeError, ValueError):
         raise InvalidInput(f"{where}: expected pairs of numbers") from None
-    if ring.ndim != 2 or ring.shape[1] < 2:
+    if ring.ndim != 2 or ring.shape[1] not in widths:
         raise InvalidInput(
             f"{where}: expected an array of shape (n, 2), got shape {ring.shape}")
-    return numpy.ascontiguousarray(ring[:, :2])  # heights are dropped
+    return numpy.ascontiguousarray(ring[:, :2])
+
+
+def _parts(geometry, member, where):
+    parts = geometry.get(member)
+    if not isinstance(parts, (list, tuple)):
+        raise InvalidInput(f"{where}: a {geometry['type']} has a list of {member}, found {parts!r}")
+    return parts
 
 
 def _add_geometry(geometry, where, flat, radius):
+    if not isinstance(geometry, Mapping):
+        raise InvalidInput(f"{where}: expected a GeoJSON object, got {_name(geometry)}")
     kind = geometry.get("type")
     if kind == "FeatureCollection":
-        for index, feature in enumerate(geometry["features"]):
+        for index, feature in enumerate(_parts(geometry, "features", where)):
             _add_geometry(feature, f"{where}.features[{index}]", flat, None)
     elif kind == "Feature":
         if geometry.get("geometry") is not None:
-            own = (geometry.get("properties") or {}).get("radius")
+            properties = geometry.get("properties")
+            own = properties.get("radius") if isinstance(properties, Mapping) else None
             _add_geometry(geometry["geometry"], where, flat,
                           None if own is None else _radius(own, where))
     elif kind == "GeometryCollection":
-        for index, part in enumerate(geometry["geometries"]):
+        for index, part in enumerate(_parts(geometry, "geometries", where)):
             _add_geometry(part, f"{where}.geometries[{index}]", flat, radius)
-    elif kind in _SHAPES and "coordinates" in geometry:
-        _SHAPES[kind](geometry["coordinates"], where, flat, radius)
+    elif isinstance(kind, str) and kind in _SHAPES and "coordinates" in geometry:
+        try:
+            _SHAPES[kind](geometry["coordinates"], where, flat, radius)
+        except TypeError:
+            raise InvalidInput(f"{where}: these are no coordinates of a {kind}") from None
     else:
         raise InvalidInput(f"{where}: a geometry of type {kind!r} is no obstacle: known are "
                            f"{_KINDS}")

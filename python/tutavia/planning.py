@@ -40,8 +40,9 @@ class Planner:
         self.smoothers = smoothers
         self.vehicle = vehicle
         self._native = _native._Planner(search._stage(), [s._stage() for s in smoothers], vehicle)
-        # The compiled function itself in place of the method: a call takes a microsecond less.
-        self.plan = self._native.plan
+        if type(self).plan is Planner.plan:
+            # The compiled function itself in place of the method: a call takes a microsecond less.
+            self.plan = self._native.plan
 
     def plan(self, space, start, goal, *, start_heading: Optional[float] = None,
              goal_heading: Optional[float] = None, seed: int = 0,
@@ -138,23 +139,28 @@ def builtin_map(name: str) -> Scene:
 
 
 _KEPT = 8
-_kept: "collections.OrderedDict[Any, Planner]" = collections.OrderedDict()
+_kept: "collections.OrderedDict[Any, Planner]" = collections.OrderedDict()  # the last used at the end
 _lock = threading.Lock()
 
 
 def _planner(search, smoother, vehicle, options) -> Planner:
     """A kept planner of these algorithms."""
-    key = (search, smoother, vehicle, tuple(options.items()) if options else None)
+    # With types: True and 1.0 are equal to 1, but not the same option.
+    given = tuple((word, type(value), value) for word, value in options.items()) if options else None
+    key = (search, smoother, vehicle, given)
     try:
-        planner = _kept.get(key)
+        planner = _kept[key]
+        _kept.move_to_end(key)
+        return planner
+    except KeyError:  # or another thread has just dropped it
+        pass
     except TypeError:  # a list, or a value that cannot be looked up
         return Planner(search, smoother, vehicle=vehicle, **options)
-    if planner is None:
-        planner = Planner(search, smoother, vehicle=vehicle, **options)
-        with _lock:
-            _kept[key] = planner
-            if len(_kept) > _KEPT:
-                _kept.popitem(last=False)
+    planner = Planner(search, smoother, vehicle=vehicle, **options)
+    with _lock:
+        _kept[key] = planner
+        if len(_kept) > _KEPT:
+            _kept.popitem(last=False)
     return planner
 
 
@@ -187,6 +193,9 @@ def _with_options(search: Algorithm, smoothers: Tuple[Algorithm, ...],
     given: Any = [dict(a.options) for a in algorithms]
     for word, value in options.items():
         owners = [i for i, names in enumerate(known) if word in names]
+        if word in _QUERY_OPTIONS:
+            raise InvalidOption(f"{word}: no option of an algorithm: it belongs to one query or "
+                                "batch, as an argument of Planner.plan or Planner.plan_batch")
         if not owners:
             names = list(dict.fromkeys(name for own in known for name in own))
             raise InvalidOption(unknown_option(
@@ -208,5 +217,5 @@ def _with_options(search: Algorithm, smoothers: Tuple[Algorithm, ...],
     return made[0], tuple(made[1:])
 
 
-_QUERY_OPTIONS = ("vehicle", "start_heading", "goal_heading", "seed", "time_limit",
-                  "max_expansions")
+_QUERY_OPTIONS = ("vehicle", "start_heading", "goal_heading", "start_headings", "goal_headings",
+                  "seed", "seeds", "time_limit", "max_expansions", "threads", "keep_plans")
