@@ -48,5 +48,5 @@ endif()
 file(GLOB documents RELATIVE ${PROJECT_SOURCE_DIR} docs/*.md)
 file(GLOB programs RELATIVE ${PROJECT_SOURCE_DIR} examples/*.cpp)
 doxygen_add_docs(docs README.md docs/manual ${documents} docs/reproduction docs/decisions
-  CONTRIBUTING.md CHANGELOG.md SECURITY.md packaging/README.md tests/README.md include/tutavia
-  ${programs} COMMENT "Writing html/index.html")
+  CONTRIBUTING.md CHANGELOG.md SECURITY.md packaging/README.md tests/README.md
+  examples/playground/README.md include/tutavia ${programs} COMMENT "Writing html/index.html")

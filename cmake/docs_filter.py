@@ -44,24 +44,38 @@ def reference(page, target):
     return None
 
 
-def replaced(page, found):
+def parent(page):
+    """The page that lists a page, in whose part of the contents it stands."""
+    folder, name = os.path.split(page)
+    if page == "docs/README.md":
+        return "README.md"
+    if name != "README.md" and os.path.exists(ROOT / folder / "README.md") and folder:
+        return f"{folder}/README.md"
+    return "docs/README.md"
+
+
+def replaced(page, found, listed):
     image, text, target = found.groups()
     if "://" in target or target.startswith("mailto:"):
         return found[0]
     if image:
         return f"![{text}]({os.path.basename(target)})"
     to, text = reference(page, target), " ".join(text.split())  # one line, as Doxygen demands
+    full = os.path.normpath(os.path.join(os.path.dirname(page), target))
+    if full.endswith(".md") and full != "README.md" and parent(full) == page and to not in listed:
+        listed.add(to)
+        return f'@subpage {to} "{text.replace(chr(34), "")}"'
     return f"[{text}](@ref {to})" if to else text
 
 
 def markdown(page, text):
-    is_title = True
+    is_title, listed = True, set()
     text = re.sub(r"\A<!--.*?-->\s*", "", text)  # Doxygen finds a title in the first line alone
     for part in re.split(r"(^ *```.*?^ *```$)", text, flags=re.M | re.S):
         if part.lstrip().startswith("```"):
             yield part
             continue
-        for line in LINK.sub(lambda found: replaced(page, found), part).splitlines(keepends=True):
+        for line in LINK.sub(lambda found: replaced(page, found, listed), part).splitlines(keepends=True):
             heading, definition = HEADING.match(line), DEFINITION.match(line)
             if heading:
                 name = label(page, "" if is_title else slug(heading[1]))

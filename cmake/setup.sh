@@ -49,6 +49,8 @@ if [ "$mode" = tools ]; then
   need_command clang-format clang-format
   need_command clang-tidy clang-tidy
   need_command python3 python3
+  need_command doxygen doxygen
+  [ -e /usr/share/doxygen-awesome-css ] || missing+=(doxygen-awesome-css)
   # clang's sanitizer runtime is a package of its own in some releases
   if command -v clang++ >/dev/null &&
      ! echo 'int main(){}' | clang++ -x c++ -fsanitize=address,fuzzer-no-link - -o /dev/null 2>/dev/null; then

@@ -5,10 +5,12 @@
 #
 #   cmake/try_on.sh trixie [FOLDER [MODE...]]    Debian 13 in FOLDER (default: build/try_on/trixie),
 #                                                kept for another try
+#   cmake/try_on.sh noble [FOLDER [MODE...]]     Ubuntu 24.04; needs ubuntu-archive-keyring
 #
-# A mode is demo, test or python, a command of setup.sh, or package: installs the Debian package with
-# what apt gives it, and builds and runs the project of tests/consumer_install. The default is demo,
-# test and package.
+# A mode is demo, test or python, a command of setup.sh; package: installs the Debian package with
+# what apt gives it, and builds and runs the project of tests/consumer_install; wheel: installs the
+# Python package by pip and scikit-build-core (not in Debian 12). The default is demo, test and
+# package.
 set -euo pipefail
 release=${1:-}
 [ -n "$release" ] || { echo "usage: cmake/try_on.sh RELEASE [FOLDER [MODE...]]" >&2; exit 2; }
@@ -20,11 +22,17 @@ root=${2:-build/try_on/$release}
 modes=("${@:3}")
 [ ${#modes[@]} -gt 0 ] || modes=(demo test package)
 
-# The package mirror, proxy and keys of this machine serve the other release as well.
-source_line=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | grep -v security | head -1)
+case $release in
+  jammy | noble | plucky | questing) mirror=http://archive.ubuntu.com/ubuntu components=main,universe ;;
+  *)
+    # The package mirror, proxy and keys of this machine serve other releases of Debian as well.
+    mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | grep -v security | head -1)
+    components=main
+    ;;
+esac
 if [ ! -e "$root/etc/debian_version" ]; then
   mkdir -p "$root"
-  debootstrap --variant=minbase "$release" "$root" "$source_line"
+  debootstrap --variant=minbase --components="$components" "$release" "$root" "$mirror"
 fi
 cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
 cp /etc/resolv.conf /etc/hosts "$root/etc/"
@@ -64,12 +72,26 @@ try_package() {
     apt-get remove -y -qq libtutavia-dev >/dev/null && test ! -e /usr/include/tutavia"
 }
 
+try_wheel() {
+  rm -rf "$root/tutavia"
+  git clone -q . "$root/tutavia"
+  in_root "apt-get update -qq
+    apt-get install -y -qq --no-install-recommends g++ ninja-build cmake libeigen3-dev pybind11-dev \
+      python3-dev python3-numpy python3-pip python3-scikit-build-core >/dev/null
+    pip install --quiet --break-system-packages --no-build-isolation --no-deps /tutavia/python
+    pip show tutavia
+    python3 -c 'import tutavia
+scene = tutavia.builtin_map(\"maze\")
+print(tutavia.plan(tutavia.LatticeSpace(scene.workspace), scene.start, scene.goals[0]))'"
+}
+
 started=$SECONDS
 for mode in "${modes[@]}"; do
   before=$SECONDS
   case $mode in
     demo | test | python) try_command "$mode" ;;
     package) try_package ;;
+    wheel) try_wheel ;;
     *) echo "try_on.sh: no mode is named $mode" >&2; exit 2 ;;
   esac 2>&1 | tee "build/try_on_$release.$mode.log"
   echo "try_on.sh: $mode: $((SECONDS - before)) s"
