@@ -17,8 +17,9 @@ PYBIND11_MODULE(_native, m) {
   bind_workspaces(m);
   bind_spaces(m);
   bind_ros_maps(m);
+  bind_vehicles(m);
   bind_results(m);
-  bind_motion(m);
+  bind_speed_profiles(m);
   bind_batch(m);
   bind_planner(m);
   bind_descriptions(m);

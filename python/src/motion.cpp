@@ -234,9 +234,8 @@ curvature (n,) [1/m], speed (n,) [m/s] and acceleration (n,) [m/s^2].)")
 
 }  // namespace
 
-void bind_motion(py::module_& m) {
-  bind_vehicle(m);
-  bind_profile(m);
-}
+void bind_vehicles(py::module_& m) { bind_vehicle(m); }
+
+void bind_speed_profiles(py::module_& m) { bind_profile(m); }
 
 }  // namespace tutavia_python

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "arrays.hpp"
 #include "batch.hpp"
@@ -20,11 +21,13 @@ namespace {
 
 using namespace pybind11::literals;
 
-const plan_program::Algorithms<LatticeSpace>& algorithms_on(const LatticeSpace*) {
-  return plan_program::lattice_algorithms();
-}
-const plan_program::Algorithms<CellSpace>& algorithms_on(const CellSpace*) {
-  return plan_program::cell_algorithms();
+template <class S>
+const plan_program::Algorithms<S>& known_algorithms() {
+  if constexpr (std::is_same_v<S, LatticeSpace>) {
+    return plan_program::lattice_algorithms();
+  } else {
+    return plan_program::cell_algorithms();
+  }
 }
 
 /// The algorithm, or InvalidOption with the keyword and its name before the detail.
@@ -36,7 +39,7 @@ Any made(const char* keyword, Expected<Any, Failure> any) {
 
 template <class S>
 AnySearch<S> make_search(const Choice& choice) {
-  const auto& all = algorithms_on(static_cast<const S*>(nullptr));
+  const auto& all = known_algorithms<S>();
   AnySearch<S> search = made("search", all.make_search(choice.search.name, choice.search.options));
   if (!choice.vehicle) return search;
   if (!search.for_vehicle) {
@@ -49,7 +52,7 @@ AnySearch<S> make_search(const Choice& choice) {
 
 template <class S>
 AnySmoother<S> make_smoother(const Choice& choice) {
-  const auto& all = algorithms_on(static_cast<const S*>(nullptr));
+  const auto& all = known_algorithms<S>();
   std::optional<AnySmoother<S>> chain;
   for (const AlgorithmText& text : choice.smoothers) {
     AnySmoother<S> stage = made("smoother", all.make_smoother(text.name, text.options));

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Written by `python3 -m tutavia.stubs`.
 
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any
 
 import numpy
 
@@ -20,25 +20,25 @@ class Batch:
     def __len__(self) -> int:
         ...
     @property
-    def clearance_lower(self) -> Any:
+    def clearance_lower(self) -> numpy.ndarray:
         """The proved lower bound [m]."""
     @property
-    def clearance_upper(self) -> Any:
+    def clearance_upper(self) -> numpy.ndarray:
         """The proved upper bound [m]."""
     @property
-    def length(self) -> Any:
+    def length(self) -> numpy.ndarray:
         """[m]"""
     @property
-    def max_curvature(self) -> Any:
+    def max_curvature(self) -> numpy.ndarray:
         """[1/m]"""
     @property
-    def planned(self) -> Any:
+    def planned(self) -> numpy.ndarray:
         """Whether each query has a plan: an array of bools."""
     @property
-    def status(self) -> Any:
+    def status(self) -> list[str]:
         """"planned" or the code of the failure, a list."""
     @property
-    def turning_angle(self) -> Any:
+    def turning_angle(self) -> numpy.ndarray:
         """[rad]"""
 
 class CellSpace:
@@ -47,12 +47,12 @@ class CellSpace:
     Made by `from_numpy`, `from_ros_map` or `from_moving_ai`. Blocked cells are closed squares, from
     which every point of a path keeps the safety radius. Immutable: threads may share it."""
     @property
-    def bounds(self) -> Any:
+    def bounds(self) -> tuple:
         """(min_x, min_y, max_x, max_y) [m]."""
     def clearance(self, points: Any) -> Any:
         """The signed distance from a point to the nearest obstacle [m], negative inside; for an array of shape (n, 2) an array."""
     @property
-    def free(self) -> Any:
+    def free(self) -> numpy.ndarray:
         """The map as given: a bool array of shape (height, width), made anew at each call."""
     @staticmethod
     def from_moving_ai(path: Any, safety_radius: float = 0.0, movement: str = 'no_cut', terrain: str = 'refused') -> CellSpace:
@@ -83,27 +83,27 @@ class CellSpace:
         Doubts about the files are warnings. Raises InvalidInput with the file and the line, InvalidOption
         for a map that is turned and frame="map"."""
     @property
-    def grid(self) -> Any:
+    def grid(self) -> numpy.ndarray:
         """Where a path may step: a bool array of shape (height, width), made anew at each call."""
     def is_free(self, points: Any) -> Any:
         """Whether a point (x, y) is free; for an array of shape (n, 2) an array of bools. Exact."""
     @property
-    def origin(self) -> Any:
+    def origin(self) -> tuple:
         """The lower left corner of cell (0, 0), (x, y) [m]."""
     def plot(space, ax=None, *, color='0.35', zone='0.85') -> Any:
         """Draws the obstacles of a space, and around those of a LatticeSpace their safety zones.
 
         ax: matplotlib axes; None: those of pyplot. Returns the axes."""
     @property
-    def resolution(self) -> Any:
+    def resolution(self) -> float:
         """The distance between neighbours of the grid [m]."""
     @property
-    def safety_radius(self) -> Any:
+    def safety_radius(self) -> float:
         """[m]"""
     def segment_free(self, a: Any, b: Any) -> bool:
         """Whether the segment between two points is free. Exact."""
     @property
-    def shape(self) -> Any:
+    def shape(self) -> tuple:
         """(height, width) of the grid."""
     def shortest_length(self, start: Any, goal: Any) -> float:
         """The length of the shortest path there is [m]. Raises the failures of a plan."""
@@ -114,28 +114,28 @@ class Certificate:
     lower <= c <= upper holds for the least distance c between any point of the continuous curve and any
     obstacle, rounding included."""
     @property
-    def evaluations(self) -> Any:
+    def evaluations(self) -> int:
         """Distances computed."""
     @property
-    def lower(self) -> Any:
+    def lower(self) -> float:
         """[m]"""
     @property
     def obstacle(self) -> Any:
         """The index of the obstacle nearest to it, of a CellSpace that of the blocked cell; None without obstacles."""
     @property
-    def parameter(self) -> Any:
+    def parameter(self) -> float:
         """Of the point on that piece, 0 to 1."""
     @property
-    def piece(self) -> Any:
+    def piece(self) -> int:
         """The index of the piece with that point."""
     @property
-    def point(self) -> Any:
+    def point(self) -> tuple:
         """The point of the curve that attains `upper`, (x, y) [m]."""
     @property
-    def status(self) -> Any:
+    def status(self) -> str:
         """"proved", "violated" or "undecided"; that of a plan is always "proved"."""
     @property
-    def upper(self) -> Any:
+    def upper(self) -> float:
         """[m]"""
 
 class Curve:
@@ -148,12 +148,12 @@ class Curve:
     def at(self, s: Any) -> Any:
         """The state at an arc length [m], or CurveSamples of arrays for an array of them."""
     @property
-    def length(self) -> Any:
+    def length(self) -> float:
         """[m]"""
     def nearest(self, point: Any) -> tuple:
         """The nearest point of the curve: (s, (x, y), distance) [m]."""
     @property
-    def pieces(self) -> Any:
+    def pieces(self) -> list:
         """The pieces, as (kind, numbers), numbers to the last bit:
 
         segment: ax, ay, bx, by.
@@ -169,7 +169,7 @@ class Curve:
         (n,), the direction of travel in (-pi, pi] [rad], and curvature (n,) [1/m], left turns positive.
         Raises InvalidOption for a step that is not positive."""
     @property
-    def waypoints(self) -> Any:
+    def waypoints(self) -> numpy.ndarray:
         """The start and the end of every piece: an array of shape (n + 1, 2) [m]."""
 
 class LatticeSpace:
@@ -183,15 +183,15 @@ class LatticeSpace:
     max_nodes: more nodes than these are refused.
 
     Immutable: threads may share it. Raises InvalidInput, InvalidOption and LimitExceeded."""
-    def __init__(self, workspace: Workspace, resolution: Optional[float] = None, movement: str = 'no_cut', edges: str = 'uniform', max_nodes: int = 268435456) -> None:
+    def __init__(self, workspace: Workspace, resolution: float | None = None, movement: str = 'no_cut', edges: str = 'uniform', max_nodes: int = 268435456) -> None:
         ...
     @property
-    def bounds(self) -> Any:
+    def bounds(self) -> tuple:
         """(min_x, min_y, max_x, max_y) [m]."""
     def clearance(self, points: Any) -> Any:
         """The signed distance from a point to the nearest obstacle [m], negative inside; for an array of shape (n, 2) an array."""
     @property
-    def grid(self) -> Any:
+    def grid(self) -> numpy.ndarray:
         """Where a path may step: a bool array of shape (height, width), made anew at each call."""
     def is_free(self, points: Any) -> Any:
         """Whether a point (x, y) is free; for an array of shape (n, 2) an array of bools. Exact."""
@@ -200,44 +200,44 @@ class LatticeSpace:
 
         ax: matplotlib axes; None: those of pyplot. Returns the axes."""
     @property
-    def resolution(self) -> Any:
+    def resolution(self) -> float:
         """The distance between neighbours of the grid [m]."""
     @property
-    def safety_radius(self) -> Any:
+    def safety_radius(self) -> float:
         """[m]"""
     def segment_free(self, a: Any, b: Any) -> bool:
         """Whether the segment between two points is free. Exact."""
     @property
-    def shape(self) -> Any:
+    def shape(self) -> tuple:
         """(height, width) of the grid."""
     def shortest_length(self, start: Any, goal: Any) -> float:
         """The length of the shortest path there is [m]. Raises the failures of a plan."""
     @property
-    def workspace(self) -> Any:
+    def workspace(self) -> Workspace:
         """The obstacles, as a Workspace."""
 
 class Metrics:
     """Length, smoothness and clearance of a path."""
     @property
-    def length(self) -> Any:
+    def length(self) -> float:
         """[m]"""
     @property
-    def max_curvature(self) -> Any:
+    def max_curvature(self) -> float:
         """Of the pieces [1/m]."""
     @property
-    def max_curvature_jump(self) -> Any:
+    def max_curvature_jump(self) -> float:
         """Between consecutive pieces [1/m]; 0 up to rounding if it is continuous."""
     @property
-    def max_joint_deflection(self) -> Any:
+    def max_joint_deflection(self) -> float:
         """The largest turn between two consecutive pieces [rad]; 0 for a smooth path."""
     @property
-    def min_clearance(self) -> Any:
+    def min_clearance(self) -> float:
         """The proved lower bound [m]."""
     @property
-    def turning_angle(self) -> Any:
+    def turning_angle(self) -> float:
         """The sum of the magnitudes of all changes of heading [rad]."""
     @property
-    def turning_points(self) -> Any:
+    def turning_points(self) -> int:
         """Turns of more than half a degree."""
 
 class Plan:
@@ -245,25 +245,25 @@ class Plan:
 
     Pickles hold everything but the space."""
     @property
-    def certificate(self) -> Any:
+    def certificate(self) -> Certificate:
         """The proof, of a vehicle for its whole footprint."""
     @property
-    def curve(self) -> Any:
+    def curve(self) -> Curve:
         """From start to goal, both exact."""
     @property
-    def fell_back(self) -> Any:
+    def fell_back(self) -> bool:
         """Whether the curve, or a part of it, is the route's, because no smoothed one is proved."""
     @property
-    def found_by(self) -> Any:
+    def found_by(self) -> str:
         """The search that found the route, if several took part; else empty."""
     @property
-    def gears(self) -> Any:
+    def gears(self) -> list:
         """"forward" or "reverse" for each piece of a vehicle's path; else empty."""
     @property
-    def length(self) -> Any:
+    def length(self) -> float:
         """[m]"""
     @property
-    def metrics(self) -> Any:
+    def metrics(self) -> Metrics:
         ...
     def plot(plan, ax=None, *, space=True, route=True, ds=None, **line) -> Any:
         """Draws the curve of a plan, its route, its ends and the point nearest to an obstacle.
@@ -276,7 +276,7 @@ class Plan:
 
         Returns the axes."""
     @property
-    def route(self) -> Any:
+    def route(self) -> Curve:
         """The result of the search, before smoothing."""
     @property
     def space(self) -> Any:
@@ -284,10 +284,10 @@ class Plan:
     def speed_profile(self, **limits) -> Any:
         """The SpeedProfile of the plan's curve; the limits are those of SpeedProfile."""
     @property
-    def stats(self) -> Any:
+    def stats(self) -> Statistics:
         ...
     @property
-    def vehicle(self) -> Any:
+    def vehicle(self) -> Vehicle | None:
         """The Vehicle that was planned for, or None."""
 
 class Queries:
@@ -311,19 +311,19 @@ class Queries:
         Columns: start_x, start_y, goal_x, goal_y [m], and, if they are there, start_heading and
         goal_heading [rad; empty: any] and seed. Others are skipped. Raises InvalidInput with the line."""
     @property
-    def goal_headings(self) -> Any:
+    def goal_headings(self) -> numpy.ndarray:
         """(n,) [rad], NaN: any."""
     @property
-    def goals(self) -> Any:
+    def goals(self) -> numpy.ndarray:
         """(n, 2) [m]."""
     @property
-    def seeds(self) -> Any:
+    def seeds(self) -> numpy.ndarray:
         """(n,)"""
     @property
-    def start_headings(self) -> Any:
+    def start_headings(self) -> numpy.ndarray:
         """(n,) [rad], NaN: any."""
     @property
-    def starts(self) -> Any:
+    def starts(self) -> numpy.ndarray:
         """(n, 2) [m]."""
 
 class SpeedProfile:
@@ -344,10 +344,10 @@ class SpeedProfile:
     def at(self, times: Any) -> Any:
         """SpeedSamples at an array of times [s], clamped to the duration."""
     @property
-    def curve(self) -> Any:
+    def curve(self) -> Curve:
         ...
     @property
-    def duration(self) -> Any:
+    def duration(self) -> float:
         """Of the whole motion [s]."""
     def sample(self, dt: float) -> Any:
         """States at equal steps of time, at most `dt` [s] apart.
@@ -358,22 +358,22 @@ class SpeedProfile:
 class Statistics:
     """The effort of one query; times are wall-clock."""
     @property
-    def certify_us(self) -> Any:
+    def certify_us(self) -> float:
         """[us]"""
     @property
-    def expanded(self) -> Any:
+    def expanded(self) -> int:
         ...
     @property
-    def generated(self) -> Any:
+    def generated(self) -> int:
         ...
     @property
-    def search_us(self) -> Any:
+    def search_us(self) -> float:
         """[us]"""
     @property
-    def seed(self) -> Any:
+    def seed(self) -> int:
         ...
     @property
-    def smooth_us(self) -> Any:
+    def smooth_us(self) -> float:
         """[us]"""
 
 class Vehicle:
@@ -397,13 +397,13 @@ class Vehicle:
         The rear axle lies as far from the back as the front axle from the front. Margin 0 stands for an
         eighteenth of the shorter side."""
     @property
-    def footprint(self) -> Any:
+    def footprint(self) -> numpy.ndarray:
         """An array of shape (n, 3): ahead, to the left, radius [m]."""
     @property
-    def min_turning_radius(self) -> Any:
+    def min_turning_radius(self) -> float:
         """[m]"""
     @property
-    def reverse(self) -> Any:
+    def reverse(self) -> bool:
         ...
 
 class Workspace:
@@ -425,11 +425,11 @@ class Workspace:
     def __init__(self, bounds: Any, obstacles: Any = (), safety_radius: float = 0.0) -> None:
         ...
     @property
-    def bounds(self) -> Any:
+    def bounds(self) -> tuple:
         """(min_x, min_y, max_x, max_y) [m]."""
     @property
-    def obstacles(self) -> Any:
+    def obstacles(self) -> list:
         """A list of Polygon and Disc, in the order given."""
     @property
-    def safety_radius(self) -> Any:
+    def safety_radius(self) -> float:
         """[m]"""

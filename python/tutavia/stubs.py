@@ -15,11 +15,18 @@ from . import _native, algorithms
 
 _HEAD = "# SPDX-License-Identifier: MIT\n# Written by `python3 -m tutavia.stubs`.\n"
 
-# What the compiled classes return and take where their signatures say `object`.
-_TYPES = {
-    "numpy.ndarray[numpy.float64]": "numpy.ndarray", "numpy.ndarray[bool]": "numpy.ndarray",
-    "numpy.ndarray[numpy.uint64]": "numpy.ndarray", "object": "Any", "handle": "Any",
-}
+# How pybind11 writes types, which differs from one version to another, and what stubs say.
+_TYPES = (
+    (r"numpy\.(?:typing\.NDArray|ndarray)\[[\w.]+\]", "numpy.ndarray"),
+    (r"typing\.SupportsFloat(?: \| typing\.SupportsIndex)?", "float"),
+    (r"typing\.SupportsInt(?: \| typing\.SupportsIndex)?", "int"),
+    (r"\b(?:collections\.abc\.|typing\.)?(?:List|Sequence)\[", "list["),
+    (r"\bOptional\[([\w.]+)\]", r"\1 | None"),
+    (r"\b(?:object|handle)\b", "Any"),
+    (r"\btutavia\._native\.|\btutavia\.(?=[A-Z])", ""),
+    (r"\bself: \w+", "self"),
+    (r"= inf\b", '= float("inf")'),
+)
 
 
 def algorithm_stub(kind: str) -> str:
@@ -40,7 +47,7 @@ def algorithm_stub(kind: str) -> str:
 
 def native_stub() -> str:
     """The stub of the compiled module: the classes that users see."""
-    parts = [_HEAD, "from typing import Any, Dict, List, Optional, Tuple\n", "import numpy\n",
+    parts = [_HEAD, "from typing import Any\n", "import numpy\n",
              "from .samples import CurveSamples, SpeedSamples\n", "__version__: str\n"]
     for name, value in sorted(vars(_native).items()):
         if inspect.isclass(value) and not name.startswith("_"):
@@ -54,7 +61,9 @@ def _class_stub(name, kind):
         if member.startswith("_") and member not in ("__init__", "__len__", "__getitem__"):
             continue
         if isinstance(value, property):
-            lines += ["    @property", f"    def {member}(self) -> Any:",
+            signature, _ = _split(value.fget.__doc__ or "", "")
+            returns = signature.rpartition(" -> ")[2] if signature else "Any"
+            lines += ["    @property", f"    def {member}(self) -> {returns}:",
                       _doc(value.__doc__, "        ")]
             continue
         is_static = isinstance(value, staticmethod)
@@ -79,11 +88,8 @@ def _split(doc, name):
     if match is None:
         return None, doc
     signature = match.group(1)
-    for native, python in _TYPES.items():
-        signature = signature.replace(native, python)
-    signature = re.sub(r"tutavia\._native\.|tutavia\.(?=[A-Z])", "", signature)
-    signature = re.sub(r"\bself: \w+", "self", signature)
-    signature = signature.replace("= inf", '= float("inf")')
+    for native, python in _TYPES:
+        signature = re.sub(native, python, signature)
     return signature, doc[match.end():]
 
 
