@@ -46,7 +46,8 @@ class Planner:
 
     def plan(self, space, start, goal, *, start_heading: Optional[float] = None,
              goal_heading: Optional[float] = None, seed: int = 0,
-             time_limit: Optional[float] = None, max_expansions: Optional[int] = None):
+             time_limit: Optional[float] = None,
+             max_expansions: Optional[int] = None) -> "_native.Plan":
         """The Plan from start to goal.
 
         space: a LatticeSpace or a CellSpace.
@@ -66,7 +67,7 @@ class Planner:
     def plan_batch(self, space, starts, goals, *, start_headings=None, goal_headings=None,
                    seeds=None, time_limit: Optional[float] = None,
                    max_expansions: Optional[int] = None, threads: int = 0,
-                   keep_plans: bool = True):
+                   keep_plans: bool = True) -> "_native.Batch":
         """Plans many queries on all cores; returns a Batch in their order.
 
         starts, goals: arrays of shape (n, 2) [m].
@@ -100,7 +101,7 @@ def plan(space, start, goal, search: AlgorithmChoice = "astar",
          smoother: SmootherChoice = "clothoid", *, vehicle=None,
          start_heading: Optional[float] = None, goal_heading: Optional[float] = None,
          seed: int = 0, time_limit: Optional[float] = None,
-         max_expansions: Optional[int] = None, **options: Any):
+         max_expansions: Optional[int] = None, **options: Any) -> "_native.Plan":
     """Plans from start to goal; see Planner and Planner.plan.
 
     The planners of the last calls are kept, so that their memory is warm in the next one.
@@ -115,7 +116,7 @@ def plan_batch(space, starts, goals, search: AlgorithmChoice = "astar",
                smoother: SmootherChoice = "clothoid", *, vehicle=None, start_headings=None,
                goal_headings=None, seeds=None, time_limit: Optional[float] = None,
                max_expansions: Optional[int] = None, threads: int = 0, keep_plans: bool = True,
-               **options: Any):
+               **options: Any) -> "_native.Batch":
     """Plans many queries on all cores; see Planner and Planner.plan_batch."""
     planner = _planner(search, smoother, vehicle, options)
     return planner.plan_batch(
