@@ -3,26 +3,10 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { after, afterEach, before, beforeEach, test } from 'node:test';
-import { isProved, launch, Playground, testData, reads } from './page.mjs';
+import { test } from 'node:test';
+import { isProved, openForEachTest, playground, testData, reads } from './page.mjs';
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Playground} */
-let playground;
-
-before(async () => {
-  browser = await launch();
-});
-after(() => browser.close());
-beforeEach(async () => {
-  playground = await Playground.open(browser);
-});
-afterEach(async () => {
-  const { errors } = playground;
-  await playground.close();
-  assert.deepEqual(errors, [], 'no errors on the console');
-});
+openForEachTest();
 
 const square = '[[4, 4], [6, 4], [6, 6], [4, 6]]';
 const octile = [

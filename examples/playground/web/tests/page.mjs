@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
+import { after, afterEach, before, beforeEach } from 'node:test';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
@@ -173,6 +174,30 @@ export class Playground {
   async close() {
     await this.page.context().close();
   }
+}
+
+/**
+ * The page of the current test, after `openForEachTest`: an import sees every new value.
+ * @type {Playground}
+ */
+export let playground;
+
+/** Opens the page before each test of a file; after it the page must have logged no error. */
+export function openForEachTest() {
+  /** @type {import('playwright-core').Browser} */
+  let browser;
+  before(async () => {
+    browser = await launch();
+  });
+  after(() => browser.close());
+  beforeEach(async () => {
+    playground = await Playground.open(browser);
+  });
+  afterEach(async () => {
+    const { errors } = playground;
+    await playground.close();
+    assert.deepEqual(errors, [], 'no errors on the console');
+  });
 }
 
 /**

@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 import assert from 'node:assert/strict';
-import { after, afterEach, before, beforeEach, test } from 'node:test';
-import { isProved, launch, lengthOf, Playground, reads } from './page.mjs';
+import { test } from 'node:test';
+import { isProved, lengthOf, openForEachTest, playground, reads } from './page.mjs';
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Playground} */
-let playground;
-
-before(async () => {
-  browser = await launch();
-});
-after(() => browser.close());
-beforeEach(async () => {
-  playground = await Playground.open(browser);
-});
-afterEach(async () => {
-  const { errors } = playground;
-  await playground.close();
-  assert.deepEqual(errors, [], 'no errors on the console');
-});
+openForEachTest();
 
 test('planners stand side by side', async () => {
   const { page } = playground;
