@@ -131,19 +131,11 @@ Json result_of(Stage& stage, const Task& task, const ChosenPlanner& planner,
   return shown ? result_to_json(header, *shown, optimum) : result_to_json(header, shown.error());
 }
 
-Json certificate_to_json(const Certificate& certificate, const plan_program::MapFrame& frame) {
-  return {{"status", to_string(certificate.status)},
-          {"lower", certificate.lower},
-          {"upper", certificate.upper},
-          {"point", tutavia::detail::to_json(frame.to_map(certificate.point))},
-          {"piece", certificate.piece},
-          {"parameter", certificate.parameter}};
-}
-
 Json judged(const Stage& stage, const Curve& curve, std::span<const Gear> gears,
-            const Certificate& certificate, std::size_t samples) {
+            Certificate certificate, std::size_t samples) {
+  certificate.point = stage.frame().to_map(certificate.point);
   return {{"curve", sampled(stage.space(), curve, gears, samples)},
-          {"certificate", certificate_to_json(certificate, stage.frame())}};
+          {"certificate", tutavia::detail::to_json(certificate)}};
 }
 
 SpeedLimits limits_of(const nlohmann::json& json) {

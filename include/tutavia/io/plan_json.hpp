@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "tutavia/certify/certificate.hpp"
 #include "tutavia/plan/failure.hpp"
 #include "tutavia/planner.hpp"
 #include "tutavia/registry/option_value.hpp"
@@ -97,6 +98,15 @@ inline ResultJson to_json(const std::vector<OptionSettings>& stages) {
   return result;
 }
 
+inline ResultJson to_json(const Certificate& certificate) {
+  return {{"status", to_string(certificate.status)},
+          {"lower", certificate.lower},
+          {"upper", certificate.upper},
+          {"point", to_json(certificate.point)},
+          {"piece", certificate.piece},
+          {"parameter", certificate.parameter}};
+}
+
 inline ResultJson result_head(const ResultHeader& header, std::string_view status) {
   return {{"status", status},
           {"search", header.search},
@@ -143,7 +153,6 @@ inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const P
                                              std::optional<double> optimum = std::nullopt) {
   auto json = detail::result_head(header, "success");
   const PathMetrics& m = plan.metrics;
-  const Certificate& c = plan.certificate;
   json["fell_back"] = plan.fell_back;
   if (!plan.route.found_by.empty()) json["found_by"] = plan.route.found_by;
   json["route"] = detail::to_json(plan.route.curve);
@@ -159,9 +168,7 @@ inline nlohmann::ordered_json result_to_json(const ResultHeader& header, const P
                      {"max_curvature_jump", m.max_curvature_jump},
                      {"min_clearance", m.min_clearance}};
   if (m.mean_clearance) json["metrics"]["mean_clearance"] = *m.mean_clearance;
-  json["certificate"] = {
-      {"status", to_string(c.status)},     {"lower", c.lower}, {"upper", c.upper},
-      {"point", detail::to_json(c.point)}, {"piece", c.piece}, {"parameter", c.parameter}};
+  json["certificate"] = detail::to_json(plan.certificate);
   if (optimum) {
     json["optimum"] = {{"length", *optimum}, {"ratio", *optimum > 0 ? m.length / *optimum : 1}};
   }
