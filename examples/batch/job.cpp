@@ -140,9 +140,7 @@ std::string algorithms_text(const AlgorithmText& search, std::span<const Algorit
 
 std::string describe_job(std::string_view algorithms, std::string_view space,
                          std::span<const Query> queries) {
-  std::string line = "tutavia " + std::to_string(TUTAVIA_VERSION_MAJOR) + "." +
-                     std::to_string(TUTAVIA_VERSION_MINOR) + "." +
-                     std::to_string(TUTAVIA_VERSION_PATCH);
+  std::string line = "tutavia " + version_text();
   line.append(", ").append(algorithms).append(", space ").append(space);
   return line.append(", ")
       .append(std::to_string(queries.size()))

@@ -185,11 +185,6 @@ void add_curves(Json& reply, const Stage& stage, const Task& task, const ChosenP
   }
 }
 
-std::string version_of_library() {
-  return std::to_string(TUTAVIA_VERSION_MAJOR) + "." + std::to_string(TUTAVIA_VERSION_MINOR) + "." +
-         std::to_string(TUTAVIA_VERSION_PATCH);
-}
-
 Json describe(const AlgorithmDescription& algorithm) {
   Json options = Json::array();
   for (const OptionDescription& option : algorithm.options) {
@@ -227,7 +222,7 @@ Json describe_all(const std::vector<AlgorithmDescription>& algorithms,
 Json catalogue() {
   const auto lattice = plan_program::lattice_names(), cells = plan_program::cell_names();
   const auto vehicles = plan_program::vehicle_names();
-  return {{"version", version_of_library()},
+  return {{"version", version_text()},
           {"searches",
            describe_all(describe_searches(), lattice.searches, cells.searches, vehicles.searches)},
           {"smoothers", describe_all(describe_smoothers(), lattice.smoothers, cells.smoothers,
