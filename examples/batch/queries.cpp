@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <system_error>
 
+#include "tutavia/core/parts/read_number.hpp"
 #include "tutavia/io/text/source_text.hpp"
 #include "tutavia/registry/nearest_name.hpp"
 
@@ -42,9 +41,10 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 
 template <class Number>
 bool read(std::string_view cell, Number& value) {
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return error == std::errc{} && end == cell.data() + cell.size() &&
-         std::isfinite(static_cast<double>(value));
+  const auto number = tutavia::detail::read_whole_text<Number>(cell);
+  if (!number || !std::isfinite(static_cast<double>(*number))) return false;
+  value = *number;
+  return true;
 }
 
 /// The columns of the header, and queries from the lines below it.

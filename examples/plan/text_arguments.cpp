@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
 #include "tutavia/core/parts/read_number.hpp"
 #include "usage_error.hpp"
@@ -11,11 +10,7 @@
 namespace plan_program {
 
 std::optional<double> parse_number(std::string_view text) {
-  double value = 0;
-  const auto [end, error] =
-      tutavia::detail::read_number(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return tutavia::detail::read_whole_text<double>(text);
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {

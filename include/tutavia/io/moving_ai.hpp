@@ -11,7 +11,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -106,10 +105,8 @@ class MovingAiLines {
 template <class Number>
 Number moving_ai_number(std::string_view word) {
   if (word.substr(0, 1) == "-") return -1;
-  Number value = -1;
-  const auto [end, error] = read_number(word.data(), word.data() + word.size(), value);
-  const bool whole = error == std::errc() && end == word.data() + word.size();
-  return whole && std::isfinite(static_cast<double>(value)) ? value : -1;
+  const std::optional<Number> value = read_whole_text<Number>(word);
+  return value && std::isfinite(static_cast<double>(*value)) ? *value : -1;
 }
 
 /// Reads the lines up to "map". Returns a grid of that size with all cells blocked.

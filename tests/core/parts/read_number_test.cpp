@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <locale>
 #include <random>
 #include <string>
@@ -130,4 +131,18 @@ TEST_CASE("whole numbers are read by the standard library", "[core]") {
   CHECK(error == std::errc{});
   CHECK(value == 42);
   CHECK(*end == ';');
+}
+
+TEST_CASE("a text is a number if nothing of it is left over", "[core]") {
+  CHECK(detail::read_whole_text<double>("-2.5e3") == -2500);
+  CHECK(detail::read_whole_text<double>("inf") == std::numeric_limits<double>::infinity());
+  CHECK(detail::read_whole_text<int>("-42") == -42);
+  for (const char* const text : {"", " 1", "1 ", "1,", "+1", "1e999", "one"}) {
+    CAPTURE(text);
+    CHECK_FALSE(detail::read_whole_text<double>(text));
+  }
+  for (const char* const text : {"", "1.5", "1e3", "99999999999", "0x1"}) {
+    CAPTURE(text);
+    CHECK_FALSE(detail::read_whole_text<int>(text));
+  }
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 
 /// \file
 /// read_number: std::from_chars, also where the standard library has it for integers alone.
+/// read_whole_text: a text that is a number and nothing else.
 
 namespace tutavia::detail {
 
@@ -87,6 +89,15 @@ std::from_chars_result read_number(const char* first, const char* last, Number& 
   } else {
     return read_double_from_stream({first, static_cast<std::size_t>(last - first)}, value);
   }
+}
+
+/// The number that the whole text is. Empty if it is none, or none that the type can hold.
+template <class Number>
+std::optional<Number> read_whole_text(std::string_view text) {
+  Number value{};
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = read_number(text.data(), last, value);
+  return error == std::errc{} && end == last ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace tutavia::detail

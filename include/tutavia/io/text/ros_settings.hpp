@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +11,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -100,15 +98,12 @@ class RosSettingsReader {
     const YamlNode* const node = find("negate");
     if (node == nullptr) return warn("the key negate is missing: 0 is assumed");
     const std::string text = scalar(*node, "negate: 0 or 1");
-    std::int64_t number = 0;
-    const std::string_view digits = without_plus(text);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    const bool is_number = error == std::errc() && end == digits.data() + digits.size();
-    const std::optional<bool> truth = is_number ? std::optional(number != 0) : truth_of(text);
+    const auto number = read_whole_text<std::int64_t>(without_plus(text));
+    const std::optional<bool> truth = number ? std::optional(*number != 0) : truth_of(text);
     if (!truth) reject(node->line, "negate: 0 or 1", shown(*node));
     settings_.negate = *truth;
-    if (is_number && number != 0 && number != 1) {
-      warn(at(node->line) + "negate: " + std::to_string(number) + " counts as 1");
+    if (number && *number != 0 && *number != 1) {
+      warn(at(node->line) + "negate: " + std::to_string(*number) + " counts as 1");
     }
   }
 
@@ -157,14 +152,9 @@ class RosSettingsReader {
   static double number(const std::string& key, const YamlNode& node, double low, double high,
                        const std::string& what) {
     const std::string expected = std::string(key).append(": ").append(what);
-    const std::string_view text = without_plus(scalar(node, expected));
-    double value = 0;
-    const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() ||
-        !(low <= value && value <= high)) {
-      reject(node.line, expected, shown(node));
-    }
-    return value;
+    const auto value = read_whole_text<double>(without_plus(scalar(node, expected)));
+    if (!value || !(low <= *value && *value <= high)) reject(node.line, expected, shown(node));
+    return *value;
   }
   static std::string_view without_plus(std::string_view text) {
     const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';

@@ -11,7 +11,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <type_traits>
 #include <variant>
 
@@ -58,13 +57,12 @@ inline constexpr std::array<std::string_view, 2> switch_names{"false", "true"};
 /// The whole text as a number; not NaN, nor what no T can hold. `inf` is a number.
 template <class T>
 bool parse_number(std::string_view text, T& result) {
-  T value{};
-  const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return false;
+  const std::optional<T> value = read_whole_text<T>(text);
+  if (!value) return false;
   if constexpr (std::floating_point<T>) {
-    if (std::isnan(value)) return false;
+    if (std::isnan(*value)) return false;
   }
-  result = value;
+  result = *value;
   return true;
 }
 
