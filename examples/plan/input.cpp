@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "input_options.hpp"
+#include "map_input.hpp"
 #include "ros_input.hpp"
 #include "text_arguments.hpp"
 #include "tutavia/grid/cell_costs.hpp"
@@ -26,7 +27,6 @@
 #include "tutavia/io/text/read_file.hpp"
 #include "tutavia/io/wkt.hpp"
 #include "tutavia/io/workspace_json.hpp"
-#include "tutavia/world/maps.hpp"
 #include "tutavia/world/workspace_report.hpp"
 #include "usage_error.hpp"
 
@@ -90,24 +90,9 @@ Scene load_scene(const Arguments& args) {
     return std::move(file.scene);
   }
   if (!args.wkt_column.empty()) throw UsageError{"--wkt-column is for --workspace"};
-  if (args.map.empty() || args.map == "maze") return maps::maze();
-  if (args.map == "array") return maps::array();
-  if (args.map == "complex") return maps::complex();
-  if (args.map == "rrt_scene_1") return maps::rrt_scene_1();
-  if (args.map == "rrt_scene_2") return maps::rrt_scene_2();
+  if (auto scene = builtin_map(args.map.empty() ? "maze" : args.map)) return std::move(*scene);
   throw UsageError{"--map: unknown map \"" + args.map +
                    "\" (array, complex, maze, rrt_scene_1 or rrt_scene_2)"};
-}
-
-/// Bounds for files without them: a box around everything in the scene, a tenth larger and with
-/// room for the robot to pass outside; 1 m larger around a single point.
-Box bounds_around(const Scene& scene) {
-  Box box = scene.workspace.extent();
-  box.include(scene.start);
-  for (const Point& goal : scene.goals) box.include(goal);
-  const double margin =
-      std::max(0.1 * std::max(box.width(), box.height()), 4 * scene.workspace.safety_radius);
-  return box.inflated(margin > 0 ? margin : 1);
 }
 
 void override_start_and_goals(const Arguments& args, Scene& scene) {
@@ -212,22 +197,6 @@ CellMap load_ros_map(const Arguments& args, CellOptions options) {
   return cells;
 }
 
-/// The cells of a MovingAI map; an error about swamp and water names the option of this program.
-OccupancyGrid read_terrain(const Arguments& args) {
-  using DirectionalTerrain = MovingAiOptions::DirectionalTerrain;
-  const auto directional = args.terrain == "free"      ? DirectionalTerrain::free
-                           : args.terrain == "blocked" ? DirectionalTerrain::blocked
-                                                       : DirectionalTerrain::refused;
-  auto cells = read_moving_ai_map(args.grid, {directional});
-  if (!cells) {
-    std::string& text = cells.error().detail;
-    const std::size_t at = text.find(detail::directional_option);
-    if (at != std::string::npos) text.replace(at, detail::directional_option.size(), "--terrain");
-    throw UsageError{text};
-  }
-  return std::move(*cells);
-}
-
 CellMap load_cells(const Arguments& args) {
   if (!args.wkt_column.empty()) throw UsageError{"--wkt-column is for --workspace"};
   if (args.resolution || !args.bounds.empty()) {
@@ -244,7 +213,9 @@ CellMap load_cells(const Arguments& args) {
     throw UsageError{args.grid + ": give the .yaml file that names this image"};
   }
   if (kind != ".map") throw UsageError{args.grid + ": unknown kind of file (.map or .yaml)"};
-  return {read_terrain(args), options};
+  return {
+      cells_or_throw(read_moving_ai_map(args.grid, moving_ai_options(args.terrain)), "--terrain"),
+      options};
 }
 
 /// Adds the cells that contain a point: one, or all that meet there if it lies on their sides.

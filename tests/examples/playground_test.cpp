@@ -240,6 +240,9 @@ TEST_CASE("the playground opens files by their names, and says what is wrong wit
   CHECK(map["cells"]["width"] == 3);
   CHECK(map["cells"]["y_down"] == true);
   CHECK(open("a.geojson", R"({"type":"Point","coordinates":[1,2]})")["warnings"].size() == 1);
+  const json square = open("a.geojson", R"({"type":"Polygon","safety_radius":1,
+      "coordinates":[[[0,0],[2,0],[2,2],[0,2],[0,0]]]})");
+  CHECK(square["workspace"]["bounds"] == json({-4, -4, 6, 6}));  // the robot passes outside
   CHECK(open("a.json", file("parking.json"))["workspace"]["obstacles"].size() > 1);
   CHECK(error_of(open("a.json", "{")).starts_with("line 1"));
   CHECK(error_of(open("a.txt", "")).starts_with("a.txt: unknown kind of file"));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "files.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "../../plan/map_input.hpp"
 #include "../../plan/usage_error.hpp"
 #include "tutavia/io/geo_json.hpp"
 #include "tutavia/io/moving_ai.hpp"
@@ -18,7 +18,6 @@
 #include "tutavia/io/text/ros_settings.hpp"
 #include "tutavia/io/wkt.hpp"
 #include "tutavia/io/workspace_json.hpp"
-#include "tutavia/world/maps.hpp"
 
 namespace playground {
 
@@ -36,11 +35,7 @@ Reply reply_with(Scene scene, std::vector<std::string> warnings) {
   Workspace& workspace = scene.workspace;
   if (std::isnan(workspace.safety_radius)) workspace.safety_radius = 0;
   if (!detail::is_finite(workspace.bounds.min)) {
-    Box box = workspace.extent();
-    if (detail::is_finite(scene.start)) box.include(scene.start);
-    for (const Point& goal : scene.goals) box.include(goal);
-    const double margin = 0.1 * std::max(box.width(), box.height());
-    workspace.bounds = box.inflated(margin > 0 ? margin : 1);
+    workspace.bounds = plan_program::bounds_around(scene);
     warnings.emplace_back("the file says no bounds: a box around its obstacles is taken");
   }
   plan_program::throw_failure(validate(workspace));
@@ -71,21 +66,11 @@ Reply open_wkt(std::string_view text, const nlohmann::json& request) {
 
 Reply open_moving_ai(std::string_view text, const nlohmann::json& request,
                      const std::string& name) {
-  using DirectionalTerrain = MovingAiOptions::DirectionalTerrain;
   const std::string terrain = request.value("terrain", "refused");
-  const auto directional = terrain == "free"      ? DirectionalTerrain::free
-                           : terrain == "blocked" ? DirectionalTerrain::blocked
-                                                  : DirectionalTerrain::refused;
-  auto grid = parse_moving_ai_map(text, {directional});
-  if (!grid) {
-    // The option has the name of the request's member.
-    std::string& error = grid.error().detail;
-    const std::size_t at = error.find(detail::directional_option);
-    if (at != std::string::npos) error.replace(at, detail::directional_option.size(), "terrain");
-    throw UsageError{error};
-  }
-  return reply_with(*grid,
-                    {{"name", name}, {"resolution", 1}, {"origin", {0, 0}}, {"y_down", true}}, {});
+  const OccupancyGrid grid = plan_program::cells_or_throw(
+      parse_moving_ai_map(text, plan_program::moving_ai_options(terrain)), "terrain");
+  return reply_with(grid, {{"name", name}, {"resolution", 1}, {"origin", {0, 0}}, {"y_down", true}},
+                    {});
 }
 
 detail::YamlDocument yaml_of(const nlohmann::json& nodes) {
@@ -113,11 +98,7 @@ detail::YamlDocument yaml_of(const nlohmann::json& nodes) {
 
 Reply builtin_scene(const nlohmann::json& request) {
   const std::string name = fields::string(fields::field(request, "name"), "name");
-  if (name == "maze") return reply_with(maps::maze(), {});
-  if (name == "array") return reply_with(maps::array(), {});
-  if (name == "complex") return reply_with(maps::complex(), {});
-  if (name == "rrt_scene_1") return reply_with(maps::rrt_scene_1(), {});
-  if (name == "rrt_scene_2") return reply_with(maps::rrt_scene_2(), {});
+  if (auto scene = plan_program::builtin_map(name)) return reply_with(std::move(*scene), {});
   throw UsageError{"no built-in map is named " + name};
 }
 
