@@ -69,9 +69,10 @@ std::optional<double> split_heading(const std::string& option, std::string& text
 
 double parse_turning_radius(const std::string& text) {
   const auto radius = parse_number(text);
-  if (radius && *radius >= 0 && std::isfinite(*radius)) return *radius;
-  throw UsageError{"--turning-radius: expected R in metres, finite and at least 0, got \"" + text +
-                   "\""};
+  if (radius && validate(tutavia::Vehicle::point(*radius))) return *radius;
+  throw UsageError{
+      "--turning-radius: expected R in metres, 0 or at least 1e-9, and finite, got \"" + text +
+      "\""};
 }
 
 std::vector<FootprintDisc> parse_footprint(const std::string& text) {

@@ -233,10 +233,12 @@ void check_refused(const std::vector<BadUsage>& all) {
 }
 
 TEST_CASE("a wrong radius or heading gives one line with the option and what it takes") {
-  const std::string radius = "--turning-radius: expected R in metres, finite and at least 0, got ";
+  const std::string radius =
+      "--turning-radius: expected R in metres, 0 or at least 1e-9, and finite, got ";
   const std::string point = "expected X,Y or X,Y,DEG with finite numbers";
   check_refused({
       {"--turning-radius -1", radius + "\"-1\""},
+      {"--turning-radius 1e-300", radius},
       {"--turning-radius nan", radius},
       {"--turning-radius inf", radius},
       {"--turning-radius 5m", radius},

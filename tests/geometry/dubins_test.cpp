@@ -13,6 +13,7 @@
 #include "support/driven_word.hpp"
 #include "support/scale.hpp"
 #include "tutavia/core/random.hpp"
+#include "tutavia/geometry/reeds_shepp.hpp"
 
 namespace {
 
@@ -75,6 +76,17 @@ TEST_CASE("Dubins paths lead to goals of every degenerate kind") {
           CHECK(test::broken_promise(dubins_path(from, to, 1), word, from, to, 1) == "");
         }
       }
+    }
+  }
+}
+
+TEST_CASE("turns far below the rounding of coordinates are found at once") {
+  const Pose from{{1e3, -2e3}, 0.3};
+  for (const double radius : {1e-20, 1e-100, 1e-300, 5e-324}) {
+    for (const Pose& to : {Pose{{1e3, -2e3}, 2}, Pose{{1e3, 7}, -3}}) {
+      CAPTURE(radius, to.position.y());
+      CHECK(dubins_word(from, to, radius).size <= 3);
+      CHECK(reeds_shepp_word(from, to, radius).size <= 5);
     }
   }
 }

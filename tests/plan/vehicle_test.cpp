@@ -67,6 +67,10 @@ TEST_CASE("an invalid vehicle is refused by the name of its option") {
     refused({1, true, {{{0, 0}, 1}, {{0, 0}, bad}}}, "disc 1 of the footprint");
     if (bad != -1) refused({1, true, {{{bad, 0}, 1}}}, "disc 0 of the footprint");
   }
+  for (const double tiny : {1e-300, 9.9e-10}) {
+    refused(Vehicle::point(tiny), "min_turning_radius must be at least 1e-9 m");
+  }
+  CHECK(validate(Vehicle::point(1e-9)));
   refused({1, true, {}}, "footprint");
   refused({0, true, {{{0, 0}, 1}, {{1, 0}, 1}}}, "min_turning_radius");
   CHECK(validate(Vehicle::point()));

@@ -226,6 +226,9 @@ TEST_CASE("failures of vehicles say what is wrong") {
     CHECK(failure(bad, query).code == PlanError::invalid_option);
   }
   bad = car;
+  bad.vehicle = Vehicle::point(1e-300, true);
+  CHECK(failure(bad, query).code == PlanError::invalid_option);
+  bad = car;
   bad.headings = 2;
   CHECK(failure(bad, query).code == PlanError::invalid_option);
   Query limited{.start = {3, 3}, .goal = {3.5, 3.2}, .start_heading = 0, .goal_heading = 0};

@@ -28,8 +28,8 @@ struct FootprintDisc {
 /// middle of the rear axle of a car. The footprint is a union of discs. The space's safety radius
 /// is the distance that each of them keeps from obstacles.
 struct Vehicle {
-  /// Of the reference point [m]; 0: the vehicle turns on the spot, which only a footprint of one
-  /// disc around the reference point may do.
+  /// Of the reference point [m], at least 1e-9; or 0: the vehicle turns on the spot, which only a
+  /// footprint of one disc around the reference point may do.
   double min_turning_radius = 0;
   bool reverse = false;  ///< whether it may drive backwards
   std::vector<FootprintDisc> footprint{FootprintDisc{}};
@@ -63,13 +63,24 @@ struct Vehicle {
   }
 };
 
-/// Errors: `invalid_option` for a turning radius that is negative or not finite, a footprint
-/// without discs, discs that are not finite or have a negative radius, and for a vehicle that turns
-/// on the spot but is not one disc around its reference point.
+namespace detail {
+
+/// Turns of a smaller radius are lost in the rounding of coordinates [m].
+inline constexpr double least_turning_radius = 1e-9;
+
+}  // namespace detail
+
+/// Errors: `invalid_option` for a turning radius that is negative, not finite or between 0 and 1e-9
+/// m, a footprint without discs, discs that are not finite or have a negative radius, and for a
+/// vehicle that turns on the spot but is not one disc around its reference point.
 inline Expected<void, Failure> validate(const Vehicle& vehicle) {
   const double radius = vehicle.min_turning_radius;
   if (!(radius >= 0) || !std::isfinite(radius)) {
     return fail(PlanError::invalid_option, "min_turning_radius must be finite and not negative");
+  }
+  if (radius > 0 && radius < detail::least_turning_radius) {
+    return fail(PlanError::invalid_option,
+                "min_turning_radius must be at least 1e-9 m, or 0 to turn on the spot");
   }
   if (vehicle.footprint.empty()) {
     return fail(PlanError::invalid_option, "the footprint has no disc");

@@ -81,10 +81,12 @@ struct TurningCircles {
   }
 };
 
-/// The left turn that changes the heading by `angle`, in [-tolerance, 2 pi - tolerance) [rad].
+/// The left turn that changes the heading by `angle`, in [-tolerance, 2 pi - tolerance) [rad]. A
+/// tolerance above pi, where circles are smaller than the rounding of their centres, counts as pi.
 /// \pre |angle| <= 4 pi
 inline double left_turn(double angle, double tolerance) {
   constexpr double circle = 2 * std::numbers::pi;
+  tolerance = std::min(tolerance, std::numbers::pi);
   while (angle < -tolerance) angle += circle;
   while (angle >= circle - tolerance) angle -= circle;
   return angle;
