@@ -2,17 +2,13 @@
 #include "bindings.hpp"
 #include "tutavia/core/version.hpp"
 
-#define TUTAVIA_TEXT_OF(x) #x
-#define TUTAVIA_TEXT(x) TUTAVIA_TEXT_OF(x)
-
 /// \file
 /// The module tutavia._native: the library as Python sees it.
 
 PYBIND11_MODULE(_native, m) {
   using namespace tutavia_python;
   m.doc() = "The compiled part of tutavia. Import tutavia instead.";
-  m.attr("__version__") = TUTAVIA_TEXT(TUTAVIA_VERSION_MAJOR) "." TUTAVIA_TEXT(
-      TUTAVIA_VERSION_MINOR) "." TUTAVIA_TEXT(TUTAVIA_VERSION_PATCH);
+  m.attr("__version__") = tutavia::version_text();
   // Types before the functions that take or return them, so that signatures name them.
   bind_workspaces(m);
   bind_spaces(m);
