@@ -71,6 +71,9 @@ void define_output_options(CLI::App& app, Arguments& args) {
                  "Draw the search in so many pictures side by side, the last one with the result")
       ->check(CLI::Range(2, 12));
   app.add_flag("--animate", args.animate, "Draw an animated picture of the search and its result");
+  app.add_flag("--smoothing-steps", args.smoothing_steps,
+               "Draw the smoothing in three pictures side by side: the route, how the curve is "
+               "built, and where it comes nearest to an obstacle");
   app.add_option(
       "--trace", args.trace,
       "Write the events of the searches, one line of JSON each; NAME.trace.json: one search for "
@@ -80,14 +83,27 @@ void define_output_options(CLI::App& app, Arguments& args) {
   app.add_flag("--list", args.list, "Print the names of searches and smoothers");
 }
 
-/// Pictures of how a search proceeds are of one query.
+/// The picture is of a curve, not of its search.
+void check_smoothing_steps(const Arguments& args) {
+  const std::string option = "--smoothing-steps: ";
+  if (args.smoother == "none") throw UsageError{option + "--smoother none smooths nothing"};
+  if (args.show && args.show->has_search()) {
+    throw UsageError{option + "it draws no search; --show takes zones, profile and footprint"};
+  }
+}
+
+/// Pictures of how a plan comes about are of one query.
 void check_proceeding(const Arguments& args) {
-  if (!args.steps && !args.animate) return;
-  const std::string option = args.steps ? "--steps" : "--animate";
+  const std::string option = args.proceeding_option();
+  if (option.empty()) return;
   if (args.steps && args.animate) throw UsageError{"--steps and --animate are two pictures"};
+  if (args.smoothing_steps && option != "--smoothing-steps") {
+    throw UsageError{option + " and --smoothing-steps are two pictures"};
+  }
   if (args.svg.empty()) throw UsageError{option + ": give --svg FILE, too"};
   if (args.compare) throw UsageError{option + ": --compare runs many searches"};
   if (args.goals.size() > 1) throw UsageError{option + ": give one --goal alone"};
+  if (args.smoothing_steps) return check_smoothing_steps(args);
   if (args.show && args.show->profile) throw UsageError{option + ": it has no profile to --show"};
 }
 
@@ -95,8 +111,7 @@ void check_proceeding(const Arguments& args) {
 void check_shown_parts(const Arguments& args) {
   if (!args.show) return;
   if (args.svg.empty()) throw UsageError{"--show is for a picture; give --svg FILE"};
-  const bool shows_search = args.show->visited || args.show->tree || args.show->passages;
-  if (args.compare && shows_search) {
+  if (args.compare && args.show->has_search()) {
     throw UsageError{
         "--compare draws curves of many searches; --show takes zones, profile and footprint there"};
   }

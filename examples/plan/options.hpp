@@ -43,6 +43,7 @@ struct Arguments {
   std::string svg{};
   std::optional<int> steps{};        ///< panels of the picture
   bool animate = false;              ///< the picture
+  bool smoothing_steps = false;      ///< the picture shows how the route is smoothed
   std::optional<ShownParts> show{};  ///< in the picture; default: default_parts()
   std::string trace{};
   bool compare = false;
@@ -50,6 +51,10 @@ struct Arguments {
 
   /// Whether stdout shows tables; `--json -` puts the results there instead.
   bool prints_tables() const { return json != "-"; }
+  /// The option that asks for a picture of how one plan comes about; empty without one.
+  std::string proceeding_option() const {
+    return steps ? "--steps" : animate ? "--animate" : smoothing_steps ? "--smoothing-steps" : "";
+  }
   /// What the picture shows. One of how a search proceeds shows visited nodes if not told
   /// otherwise.
   ShownParts shown() const {

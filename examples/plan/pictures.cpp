@@ -13,6 +13,7 @@
 #include "tutavia/geometry/point.hpp"
 #include "tutavia/io/svg.hpp"
 #include "tutavia/io/svg_search.hpp"
+#include "tutavia/io/svg_smoothing.hpp"
 #include "tutavia/io/text/write_file.hpp"
 #include "tutavia/smooth/delta_smoother.hpp"
 #include "usage_error.hpp"
@@ -106,19 +107,21 @@ void add_critical_corners(const Task& task, const Result& result, SvgOptions& op
 /// The result of the only query. Throws UsageError if there are several.
 const Result& only_result(const Arguments& args, const std::vector<Group>& groups) {
   if (groups.size() == 1 && groups.front().size() == 1) return groups.front().front();
-  throw UsageError{std::string(args.steps ? "--steps" : "--animate") +
-                   ": give one --goal, one --search and one --smoother"};
+  throw UsageError{args.proceeding_option() + ": give one --goal, one --search and one --smoother"};
 }
 
-/// Draws how the search of a plan proceeds.
-void draw_search(const Arguments& args, const Task& task, const Result& result,
-                 const Workspace& workspace, SvgOptions& options) {
-  const SearchRecord record = drawn_record(task, result, options);
+/// Draws how a plan comes about: how its search proceeds, or how its route is smoothed.
+std::string proceeding(const Arguments& args, const Task& task, const Result& result,
+                       const Workspace& workspace, SvgOptions& options) {
   options.labels.push_back(label_of(result, 1));
-  throw_failure(detail::write_file(
-      args.svg, args.animate ? to_animated_svg(workspace, *result.plan, record, options)
-                             : to_svg_steps(workspace, *result.plan, record,
-                                            static_cast<std::size_t>(*args.steps), options)));
+  if (args.smoothing_steps) {
+    add_critical_corners(task, result, options);
+    return to_svg_smoothing(workspace, *result.plan, options);
+  }
+  const SearchRecord record = drawn_record(task, result, options);
+  if (args.animate) return to_animated_svg(workspace, *result.plan, record, options);
+  return to_svg_steps(workspace, *result.plan, record, static_cast<std::size_t>(*args.steps),
+                      options);
 }
 
 }  // namespace
@@ -136,10 +139,13 @@ void draw(const Arguments& args, const Task& task, std::vector<Group> groups) {
   if (const auto* cells = std::get_if<CellSpace>(&task.space)) {
     add_cells(task, *cells, workspace, options);
   }
-  if (args.steps || args.animate) {
+  if (!args.proceeding_option().empty()) {
     const Result& result = only_result(args, groups);
-    if (args.steps) options.width = 300;
-    if (result.plan) return draw_search(args, task, result, workspace, options);
+    if (!args.animate) options.width = 300;
+    if (result.plan) {
+      const std::string svg = proceeding(args, task, result, workspace, options);
+      return throw_failure(detail::write_file(args.svg, svg));
+    }
   }
   std::vector<Plan> plans;
   std::set<std::string> searches;  // those already drawn: every smoother has the same

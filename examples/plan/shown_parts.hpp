@@ -16,6 +16,9 @@ struct ShownParts {
   bool passages = false;   ///< rectangles with the intervals through which they were entered
   bool profile = false;    ///< clearance and curvature along the curves
   bool footprint = false;  ///< outlines of vehicles along their paths
+
+  /// Whether it shows parts of searches.
+  bool has_search() const { return visited || tree || passages; }
 };
 
 /// What pictures show without --show.

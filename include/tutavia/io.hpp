@@ -9,4 +9,5 @@
 #include "tutavia/io/svg.hpp"
 #include "tutavia/io/svg_options.hpp"
 #include "tutavia/io/svg_search.hpp"
+#include "tutavia/io/svg_smoothing.hpp"
 #include "tutavia/io/wkt.hpp"

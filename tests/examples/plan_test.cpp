@@ -893,6 +893,39 @@ TEST_CASE("a picture shows how the search of one query proceeds, animated or in 
   }
 }
 
+TEST_CASE("a picture shows how the route of one query is smoothed") {
+  const Folder folder;
+  const std::string task = "--map maze --goal 14,6 --search astar ";
+  REQUIRE(folder.run(task + "--smoother delta --smoothing-steps --show profile --svg d.svg").code ==
+          0);
+  const std::string delta = read(folder / "d.svg");
+  for (const std::string part :
+       {"Bezier with control polygon", "end of a piece", "critical corner", "curvature [1/m]"}) {
+    INFO(part);
+    CHECK(contains(delta, ">" + part + "<"));
+  }
+  CHECK(contains(delta, ">least clearance, 0.300 m<"));
+  folder.write("wall.map", "type octile\nheight 3\nwidth 5\nmap\n.....\n..@..\n..@..\n");
+  const std::string cells = "--grid wall.map --start 0.5,2.5 --goal 4.5,2.5 --search jps ";
+  REQUIRE(folder.run(cells + "--smoother string_pull --smoothing-steps --svg c.svg").code == 0);
+  CHECK(contains(read(folder / "c.svg"), ">least clearance, 0.000 m<"));
+
+  const std::string own = " --smoothing-steps --svg m.svg";
+  for (const auto& [line, error] :
+       {std::pair{task + "--smoothing-steps", "--smoothing-steps: give --svg FILE"},
+        {task + "--smoother none" + own, "--smoothing-steps: --smoother none smooths nothing"},
+        {task + "--smoother delta,bezier" + own, "--smoothing-steps: give one --goal"},
+        {task + "--steps 3" + own, "--steps and --smoothing-steps are two pictures"},
+        {task + "--animate" + own, "--animate and --smoothing-steps are two pictures"},
+        {"--compare" + own, "--smoothing-steps: --compare runs many"},
+        {task + "--show visited" + own, "--smoothing-steps: it draws no search"}}) {
+    const Outcome outcome = folder.run(line);
+    INFO(line << ": " << outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, error));
+  }
+}
+
 TEST_CASE("a picture without a plan shows what was searched, where to, and why there is none") {
   const Folder folder;
   folder.write("wall.map", "type octile\nheight 3\nwidth 5\nmap\n..@..\n..@..\n..@..\n");

@@ -23,6 +23,10 @@ struct SvgOptions {
   bool risk_zones = true;             ///< whether to draw the risk zones that routes name, in grey
   bool footprints = true;             ///< whether to outline vehicles along their paths
   bool profile = false;  ///< whether to plot clearance and curvature along the plans, below the map
+  /// Whether to show how curves are built: pieces in the colours of their kinds and the ends of
+  /// pieces, with control polygons and the radii of arcs.
+  bool pieces = false;
+  bool least_clearance = false;  ///< whether to mark the points of plans nearest to an obstacle
   std::vector<Point> visited{};  ///< nodes that a search expanded, light blue, below all else
   /// The side of cells, counted from the lower corner of the bounds [m]. Visited nodes at centres
   /// of cells are squares, all others dots. Rectangles between centres of cells cover whole cells.

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
 
-#include "tutavia/io/svg.hpp"
 #include "tutavia/io/svg_options.hpp"
 #include "tutavia/io/text/svg_animation.hpp"
-#include "tutavia/io/text/svg_writer.hpp"
+#include "tutavia/io/text/svg_panels.hpp"
 #include "tutavia/planner.hpp"
 #include "tutavia/search/search_record.hpp"
 #include "tutavia/world/workspace.hpp"
@@ -33,16 +31,10 @@ inline std::string to_animated_svg(const Workspace& workspace, const Plan& plan,
 inline std::string to_svg_steps(const Workspace& workspace, const Plan& plan,
                                 const SearchRecord& record, std::size_t panels,
                                 const SvgOptions& options = {}) {
-  const double height = workspace.bounds.height() * options.width /
-                        std::max({workspace.bounds.width(), workspace.bounds.height(), 1e-300});
-  const double margin = 16, wide = std::max(options.width, 560.0) + 2 * margin;
-  const double shown = options.width + 2 * margin;
-  detail::SvgWriter svg;
+  detail::SvgPanels pictures(workspace, options.width);
   for (std::size_t i = 0; i < panels; ++i) {
     const bool is_last = i + 1 == panels;
     SvgOptions panel = options;
-    panel.legend = false;
-    panel.title.clear();
     if (!is_last) {
       add_search(panel,
                  detail::events_between(
@@ -50,12 +42,9 @@ inline std::string to_svg_steps(const Workspace& workspace, const Plan& plan,
       panel.starts.push_back(plan.curve.start());
       panel.goals.push_back(plan.curve.end());
     }
-    svg.raw("<svg x=\"" + detail::SvgWriter::number(static_cast<double>(i) * (shown - margin)) +
-            "\" width=\"" + detail::SvgWriter::number(wide) + "\">\n");
-    svg.raw(to_svg(workspace, std::span(&plan, is_last ? 1 : 0), panel));
-    svg.raw("</svg>\n");
+    pictures.add(workspace, std::span(&plan, is_last ? 1 : 0), panel);
   }
-  return svg.finish(static_cast<double>(panels) * (shown - margin) + margin, height + 2 * margin);
+  return pictures.svg().finish(pictures.width(), pictures.height());
 }
 
 }  // namespace tutavia

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -12,6 +13,7 @@
 #include "tutavia/io/svg_options.hpp"
 #include "tutavia/io/text/svg_footprint.hpp"
 #include "tutavia/io/text/svg_legend.hpp"
+#include "tutavia/io/text/svg_pieces.hpp"
 #include "tutavia/io/text/svg_style.hpp"
 #include "tutavia/io/text/svg_text.hpp"
 #include "tutavia/io/text/svg_writer.hpp"
@@ -127,6 +129,8 @@ class SvgKey {
     if (!plans_.empty()) {
       if (!has_names()) legend_.line("proved curve", SvgStyle::curve(SvgStyle::colour(0)));
       vehicles();
+      if (options_.pieces) pieces();
+      if (options_.least_clearance) least_clearance();
       legend_.line("route", SvgStyle::route);
       if (shows_rectangles(options_)) {
         legend_.entry("path node", [&](const Point& p) { svg_.circle(p, 4, SvgStyle::path_node); });
@@ -142,6 +146,32 @@ class SvgKey {
     if (!options_.critical_corners.empty()) {
       legend_.entry("critical corner", [&](const Point& p) { cross_symbol(svg_, p); });
     }
+  }
+
+  /// The kinds of pieces of routes and curves.
+  void pieces() {
+    std::array<bool, piece_styles.size()> is_there{};
+    for (const Plan& plan : plans_) {
+      for (const Curve* curve : {&plan.route.curve, &plan.curve}) {
+        for (const Piece& piece : curve->pieces()) is_there[style_index(piece)] = true;
+      }
+    }
+    for (std::size_t i = 0; i < piece_styles.size(); ++i) {
+      if (is_there[i]) {
+        legend_.line(piece_styles[i].label, SvgStyle::curve(piece_styles[i].colour, "2"));
+      }
+    }
+    legend_.entry("end of a piece",
+                  [&](const Point& p) { svg_.circle(p, 3, SvgStyle::piece_end); });
+  }
+
+  void least_clearance() {
+    std::string label = "least clearance";
+    if (plans_.size() == 1) {
+      if (!touching_disc(plans_.front())) return;
+      label += ", " + with_decimals(plans_.front().certificate.upper) + " m";
+    }
+    legend_.entry(label, [&](const Point& p) { svg_.circle(p, 7, SvgStyle::least_clearance); });
   }
 
   void vehicles() {

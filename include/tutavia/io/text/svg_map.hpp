@@ -99,21 +99,25 @@ class SvgMap {
   void dots(const std::vector<Point>& points, double radius, std::string_view style) {
     for (const Point& p : points) svg_.circle(paths_.pixel(p), radius, style);
   }
+  void disc(const Disc& disc, std::string_view style) {
+    svg_.circle(paths_.pixel(disc.center), disc.radius * paths_.scale, style);
+  }
+  void line(const Curve& curve, std::string_view style) {
+    svg_.stroke(paths_.of_curve(curve), style);
+  }
   /// A curve with dots where its pieces end.
   void polyline(const Curve& curve, std::string_view style, double dot,
                 std::string_view dot_style) {
-    svg_.stroke(paths_.of_curve(curve), style);
+    line(curve, style);
     dots(waypoints(curve), dot, dot_style);
   }
   void curve(const Curve& curve, const std::string& colour) {
-    const std::string d = paths_.of_curve(curve);
-    svg_.stroke(d, "stroke=\"#ffffff\" stroke-width=\"6\" stroke-opacity=\"0.7\"");
-    svg_.stroke(d, SvgStyle::curve(colour));
+    line(curve, SvgStyle::halo);
+    line(curve, SvgStyle::curve(colour));
   }
   /// The path of a vehicle, dashed where it drives in reverse.
   void drive(const VehiclePath& path, const std::string& colour) {
-    svg_.stroke(paths_.of_curve(path.curve),
-                "stroke=\"#ffffff\" stroke-width=\"6\" stroke-opacity=\"0.7\"");
+    line(path.curve, SvgStyle::halo);
     for (std::size_t i = 0, end = 0; i < path.gears.size(); i = end) {
       Curve part;
       for (end = i; end < path.gears.size() && path.gears[end] == path.gears[i]; ++end) {
@@ -121,7 +125,7 @@ class SvgMap {
       }
       std::string style = SvgStyle::curve(colour);
       if (path.gears[i] == Gear::reverse) style.append(SvgStyle::reverse);
-      svg_.stroke(paths_.of_curve(part), style);
+      line(part, style);
     }
   }
   /// Outlines of a vehicle's footprint along its path, at least as far apart as the footprint

@@ -26,6 +26,8 @@ struct SvgPaths {
     return {offset.x() + (p.x() - bounds.min.x()) * scale,
             offset.y() + (y_down ? p.y() - bounds.min.y() : bounds.max.y() - p.y()) * scale};
   }
+  /// Whether a point lies within the bounds, up to rounding.
+  bool shows(const Point& p) const { return bounds.inflated(1e-3 / scale).contains(p); }
   std::string at(const Point& p) const { return SvgWriter::pair(pixel(p)); }
   /// A heading [rad] as a unit vector in pixels.
   Point direction(double heading) const {

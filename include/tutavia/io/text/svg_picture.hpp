@@ -13,6 +13,7 @@
 #include "tutavia/io/text/svg_legend.hpp"
 #include "tutavia/io/text/svg_map.hpp"
 #include "tutavia/io/text/svg_paths.hpp"
+#include "tutavia/io/text/svg_pieces.hpp"
 #include "tutavia/io/text/svg_profile.hpp"
 #include "tutavia/io/text/svg_style.hpp"
 #include "tutavia/io/text/svg_text.hpp"
@@ -49,10 +50,25 @@ inline void draw_areas(SvgMap& map, const Workspace& workspace, std::span<const 
 /// Draws the headings at both ends of a vehicle's path.
 inline void draw_headings(SvgWriter& svg, const SvgPaths& paths, const VehiclePath& path,
                           const std::string& colour) {
-  const Pose start = path.start(), goal = path.end();
-  arrow_symbol(svg, paths.pixel(start.position), paths.direction(start.heading),
-               SvgStyle::start_arrow);
-  arrow_symbol(svg, paths.pixel(goal.position), paths.direction(goal.heading), colour);
+  const auto draw = [&](const Pose& pose, std::string_view its_colour) {
+    if (!paths.shows(pose.position)) return;
+    arrow_symbol(svg, paths.pixel(pose.position), paths.direction(pose.heading), its_colour);
+  };
+  draw(path.start(), SvgStyle::start_arrow);
+  draw(path.end(), colour);
+}
+
+/// Draws the profile and the legend, from `corner` down, and returns the lower end.
+inline double draw_below(SvgWriter& svg, Point corner, double width, const Workspace& workspace,
+                         std::span<const Plan> plans, const SvgOptions& options) {
+  constexpr double margin = 16, first_row = 24;
+  if (options.profile && !plans.empty()) {
+    SvgProfile(svg, corner, width, workspace, plans).draw();
+    corner.y() += SvgProfile::height;
+  }
+  if (!options.legend) return corner.y() + margin;
+  corner.y() += first_row;
+  return SvgKey(svg, corner, width, workspace, plans, options).draw();
 }
 
 /// Draws one picture: the title, the map, the profile and the legend, from the top down.
@@ -71,13 +87,7 @@ class SvgPicture {
     const SvgPaths paths{workspace_.bounds, scale_, {margin, y}, options_.y_down};
     map(paths);
     y += workspace_.bounds.height() * scale_;
-    if (options_.profile && !plans_.empty()) {
-      SvgProfile(svg_, {margin, y}, width_, workspace_, plans_).draw();
-      y += SvgProfile::height;
-    }
-    y = options_.legend
-            ? SvgKey(svg_, {margin, y + 24}, width_, workspace_, plans_, options_).draw()
-            : y + margin;
+    y = draw_below(svg_, {margin, y}, width_, workspace_, plans_, options_);
     return svg_.finish(width_ + 2 * margin, y);
   }
 
@@ -116,6 +126,9 @@ class SvgPicture {
     }
     for (const Plan& plan : plans_) map.polyline(plan.route.curve, SvgStyle::route, 1.6, route_dot);
     for (std::size_t i = 0; i < plans_.size(); ++i) curve(map, plans_[i], SvgStyle::colour(i));
+    if (options_.least_clearance) {
+      for (const Plan& plan : plans_) draw_least_clearance(map, plan);
+    }
     if (shows_rectangles(options_)) {
       for (const Plan& plan : plans_) map.dots(waypoints(plan.route.curve), 4, SvgStyle::path_node);
     }
@@ -124,8 +137,10 @@ class SvgPicture {
     ends(paths);
   }
 
-  static void curve(SvgMap& map, const Plan& plan, const std::string& colour) {
-    if (plan.gears.empty()) {
+  void curve(SvgMap& map, const Plan& plan, const std::string& colour) const {
+    if (options_.pieces) {
+      draw_pieces(map, plan.curve, plan.gears);
+    } else if (plan.gears.empty()) {
       map.curve(plan.curve, colour);
     } else {
       map.drive({plan.curve, plan.gears}, colour);
@@ -141,8 +156,10 @@ class SvgPicture {
       if (!plans_[i].gears.empty()) {
         draw_headings(svg_, paths, {curve, plans_[i].gears}, SvgStyle::colour(i));
       }
-      start_symbol(svg_, paths.pixel(curve.start()));
-      goal_symbol(svg_, paths.pixel(curve.end()), SvgStyle::colour(i));
+      if (paths.shows(curve.start())) start_symbol(svg_, paths.pixel(curve.start()));
+      if (paths.shows(curve.end())) {
+        goal_symbol(svg_, paths.pixel(curve.end()), SvgStyle::colour(i));
+      }
     }
   }
 

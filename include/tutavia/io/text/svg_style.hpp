@@ -23,6 +23,12 @@ struct SvgStyle {
       "stroke=\"#7a8794\" stroke-width=\"1.2\" stroke-dasharray=\"4 3\"";
   static constexpr std::string_view path_node =
       "fill=\"#f07d00\" stroke=\"#ffffff\" stroke-width=\"0.8\"";
+  static constexpr std::string_view piece_end =
+      "fill=\"#ffffff\" stroke=\"#222b33\" stroke-width=\"1\"";
+  static constexpr std::string_view least_clearance =
+      "fill=\"#e31a8c\" fill-opacity=\"0.3\" stroke=\"#e31a8c\" stroke-width=\"1.2\"";
+  static constexpr std::string_view halo =  ///< below a curve
+      "stroke=\"#ffffff\" stroke-width=\"6\" stroke-opacity=\"0.7\"";
   static constexpr std::string_view forward_rectangle =
       "fill=\"#ffd84d\" fill-opacity=\"0.3\" stroke=\"#c9a000\" stroke-width=\"0.8\"";
   static constexpr std::string_view backward_rectangle =
