@@ -127,7 +127,7 @@ def picture_arguments(kind, name, where):
         return f"{task} --search {name} --smoother {smoother} --steps 4"
     search = {"vehicle": "hybrid_astar", "grid": "jps"}.get(where, "astar")
     shown = "zones,profile,footprint" if where == "vehicle" else "zones,profile"
-    return f"{task} --search {search} --smoother {name} --show {shown}"
+    return f"{task} --search {search} --smoother {name} --smoothing-steps --show {shown}"
 
 
 def figures(result):
@@ -172,6 +172,12 @@ def gallery(program, comments, pictures, rounds):
         "more than orders of magnitude on so small a map; [performance.md](performance.md) measures on",
         "large ones.",
         "",
+        "Three pictures of a search show it after each third of its events, and the last one its route.",
+        "Those of a smoother show the route with its waypoints, how the curve is built, and the curve with",
+        "a disc around its point of least clearance, which touches the nearest obstacle. The second picture",
+        "magnifies the part with most turns, which a frame marks in the first; of vehicles it is the whole",
+        "map.",
+        "",
     ]
     astar = median_figures(program, f"{WORKSPACE} --search astar --smoother none", rounds)
     for kind, title in (("search", "Searches"), ("smoother", "Smoothers")):
@@ -189,7 +195,7 @@ def gallery(program, comments, pictures, rounds):
             arguments = picture_arguments(kind, name, where)
             svg = pictures / f"{name}.svg"
             program.text(f"{arguments} --svg {svg}")
-            plain = re.sub(r" --(steps|show) \S+", "", arguments)
+            plain = re.sub(r" --(smoothing-steps|(steps|show) \S+)", "", arguments)
             got = median_figures(program, plain, rounds)
             micros = got["search_us"] if kind == "search" else got["smooth_us"]
             is_same_map = where in ("both", "workspace")
