@@ -157,9 +157,7 @@ constexpr InputRow geo_json_texts[] = {
 {"type":"Point","coordi)",
      "error: line 2, column 24: syntax error while parsing object key - invalid string: missing "
      "closing quote; last read: '\"coordi'; expected string literal\n"},
-    {"\036",
-     "error: line 1, column 2: syntax error while parsing value - unexpected end of input; "
-     "expected '[', '{', or a literal\n"},
+    {"\036", "error: line 1, column 2: expected JSON, found nothing\n"},
     {R"({"type":"Polygon","coordinates":[[],[[1,1],[2,1],[2,2]]]})",
      "error: the file.coordinates[1]: expected no hole without an outer ring\n"},
     {R"({"type":"Feature","properties":3,"geometry":null})",
@@ -174,9 +172,8 @@ constexpr InputRow geo_json_texts[] = {
     {"POINT(1 2)",
      "error: line 1, column 1: syntax error while parsing value - invalid literal; last read: "
      "'P'\n"},
-    {"",
-     "error: line 1, column 1: syntax error while parsing value - unexpected end of input; "
-     "expected '[', '{', or a literal\n"},
+    {"", "error: line 1, column 1: expected JSON, found nothing\n"},
+    {" \r\n\t", "error: line 2, column 2: expected JSON, found nothing\n"},
 };
 
 constexpr InputRow scene_files[] = {

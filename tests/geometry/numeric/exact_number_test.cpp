@@ -24,10 +24,13 @@ bool equal(const Number& a, const Number& b) { return (a - b).sign() == 0; }
 
 Number exact(Wide value) {
   if (value < 0) return -exact(-value);
-  const Wide mask = (Wide{1} << 43) - 1;
-  return Number(static_cast<double>(value >> 86)) * 0x1p86 +
-         Number(static_cast<double>(value >> 43 & mask)) * 0x1p43 +
-         static_cast<double>(value & mask);
+  // By digits to the base 2^32: g++ 14.2 -O2 loses the upper word in `value >> 43 & mask`.
+  Number sum = 0;
+  for (int shift = 0; shift < 128; shift += 32) {
+    const auto digit = static_cast<std::uint32_t>(value >> shift);
+    sum = sum + Number(static_cast<double>(digit)) * std::ldexp(1, shift);
+  }
+  return sum;
 }
 
 /// Any finite double with an exponent of at most 300 in magnitude; small integers now and then.

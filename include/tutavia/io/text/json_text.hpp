@@ -119,6 +119,10 @@ inline nlohmann::json parse_json_text(std::string_view text, std::size_t begin, 
   if (const std::size_t nul = part.find('\0'); nul != std::string_view::npos) {
     throw ParseError{position_text(text, begin + nul) + "expected JSON, found byte 0x00"};
   }
+  // Versions of nlohmann/json do not agree on what they say of nothing.
+  if (part.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw ParseError{position_text(text, end) + "expected JSON, found nothing"};
+  }
   JsonCheck{}.check(text, begin, end);
   return nlohmann::json::parse(part);
 }
