@@ -18,7 +18,11 @@ set(DOXYGEN_WARN_IF_UNDOCUMENTED NO)
 set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR})
 set(DOXYGEN_STRIP_FROM_INC_PATH ${PROJECT_SOURCE_DIR}/include)
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE ${PROJECT_SOURCE_DIR}/README.md)
-set(DOXYGEN_INPUT_FILTER "${Python3_EXECUTABLE} -IS ${PROJECT_SOURCE_DIR}/cmake/docs_filter.py")
+# The interpreter itself: it starts for every file, and a script in front of it, such as pyenv's,
+# would take most of the time.
+execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys; print(sys.executable)"
+  OUTPUT_VARIABLE python OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+set(DOXYGEN_INPUT_FILTER "${python} -IS ${PROJECT_SOURCE_DIR}/cmake/docs_filter.py")
 set(DOXYGEN_EXAMPLE_PATH examples)
 set(DOXYGEN_IMAGE_PATH docs/images docs/gallery docs/reproduction)
 
