@@ -15,7 +15,7 @@ namespace {
 using namespace tutavia;
 using test::count;
 
-const Workspace room{.bounds = {{0, 0}, {8, 4}},
+const Workspace hall{.bounds = {{0, 0}, {8, 4}},
                      .safety_radius = 0.25,
                      .obstacles = {Polygon{{{3, 1}, {5, 1}, {5, 2}, {3, 2}}}}};
 
@@ -32,7 +32,7 @@ TEST_CASE("pieces show their ends, control polygons and radii in the colours of 
       plan_with({Segment{{0.5, 3}, {1, 3}}, CubicBezier{{{{1, 3}, {2, 3}, {2, 2}, {3, 2.5}}}},
                  Arc{{3, 2.5}, {4, 3.5}, {4, 2.5}, 1, std::numbers::pi, -std::numbers::pi / 2},
                  Clothoid::from({4, 3.5}, 0, 0, -0.5, 1)});
-  const std::string svg = to_svg(room, std::span(&plan, 1), {.pieces = true});
+  const std::string svg = to_svg(hall, std::span(&plan, 1), {.pieces = true});
   const std::string thin = "\" stroke-width=\"0.9\"", thick = "\" stroke-width=\"2\"";
   const std::string bezier = "stroke=\"#d55e00", arc = "stroke=\"#009e73";
   // 100 pixels per metre, from (16, 16).
@@ -52,7 +52,7 @@ TEST_CASE("pieces show their ends, control polygons and radii in the colours of 
   }
   CHECK(count(svg, std::string(detail::SvgStyle::piece_end)) == 5 + 1);
   CHECK(count(svg, ">end of a piece<") == 1);
-  CHECK(count(to_svg(room, std::span(&plan, 1)), "#8e2fb8") == 0);
+  CHECK(count(to_svg(hall, std::span(&plan, 1)), "#8e2fb8") == 0);
 }
 
 TEST_CASE("the disc of least clearance touches the obstacle that comes nearest") {
@@ -62,7 +62,7 @@ TEST_CASE("the disc of least clearance touches the obstacle that comes nearest")
   plan.certificate.parameter = 0.5;
   const SvgOptions options{.least_clearance = true};
   const std::string style(detail::SvgStyle::least_clearance);
-  const std::string svg = to_svg(room, std::span(&plan, 1), options);
+  const std::string svg = to_svg(hall, std::span(&plan, 1), options);
   CHECK(count(svg, "<circle cx=\"416.00\" cy=\"166.00\" r=\"50.00\" " + style) == 1);
   CHECK(count(svg, ">least clearance, 0.500 m<") == 1);
 
@@ -71,11 +71,11 @@ TEST_CASE("the disc of least clearance touches the obstacle that comes nearest")
   plan.route.vehicle = Vehicle{1, true, {{{0, 0}, 0.25}, {{0.25, -0.2}, 0.1}}};
   plan.certificate.point = {4.25, 2.3};
   plan.certificate.upper = 0.2;
-  CHECK(count(to_svg(room, std::span(&plan, 1), options),
+  CHECK(count(to_svg(hall, std::span(&plan, 1), options),
               "<circle cx=\"441.00\" cy=\"186.00\" r=\"30.00\" " + style) == 1);
 
   plan.certificate = {};  // without obstacles there is no such point
-  CHECK(count(to_svg(room, std::span(&plan, 1), options), style) == 0);
+  CHECK(count(to_svg(hall, std::span(&plan, 1), options), style) == 0);
 }
 
 TEST_CASE("the magnified part lies where the curve turns most, within the map") {
@@ -101,7 +101,7 @@ TEST_CASE("smoothing is three pictures, with a profile and a legend below them")
   plan.certificate.point = {4, 2.5};
   plan.certificate.upper = 0.5;
   SvgOptions options{.width = 300, .labels = {"astar, delta"}, .critical_corners = {{6, 2.5}}};
-  const std::string svg = to_svg_smoothing(room, plan, options);
+  const std::string svg = to_svg_smoothing(hall, plan, options);
   CHECK(count(svg, "<svg") == 1 + 2 * 3);
   CHECK(count(svg, "</svg>") == 1 + 2 * 3);
   CHECK(count(svg, ">obstacle<") == 1);
@@ -121,13 +121,13 @@ TEST_CASE("smoothing is three pictures, with a profile and a legend below them")
   Plan drive = plan;  // of a vehicle, the second picture is whole, too
   drive.gears = {Gear::forward, Gear::forward};
   drive.route.gears = drive.gears;
-  const std::string whole = to_svg_smoothing(room, drive, options);
+  const std::string whole = to_svg_smoothing(hall, drive, options);
   CHECK(count(whole, start) == 3 + 1);
   CHECK(count(whole, std::string(detail::SvgStyle::outline)) == 0);
   options.profile = true;
-  CHECK(count(to_svg_smoothing(room, plan, options), ">curvature [1/m]<") == 1);
+  CHECK(count(to_svg_smoothing(hall, plan, options), ">curvature [1/m]<") == 1);
   options.legend = false;
-  CHECK(count(to_svg_smoothing(room, plan, options), ">obstacle<") == 0);
+  CHECK(count(to_svg_smoothing(hall, plan, options), ">obstacle<") == 0);
 }
 
 }  // namespace
