@@ -2,8 +2,11 @@
 #include "tutavia/certify/certify.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "support/catch.hpp"
 #include "support/random_worlds.hpp"
@@ -259,6 +262,36 @@ TEST_CASE("a spent budget leaves the curve undecided") {
   const Point line[] = {{3, 0}, {3, 3}};
   CHECK(certify(disc_space(0.5), Curve::polyline(line), {}, Budget::for_seconds(-1)).status ==
         ProofStatus::undecided);
+}
+
+/// Stops a budget at one of the distances it is asked for.
+struct StoppingSpace : InflatedSpace {
+  template <class P>
+  NearestObstacle nearest(const P& piece, double cap) const {
+    if (++*calls == stop_at) source.request_stop();
+    return InflatedSpace::nearest(piece, cap);
+  }
+  std::shared_ptr<std::size_t> calls = std::make_shared<std::size_t>(0);
+  std::size_t stop_at = 0;
+  mutable StopSource source{};
+};
+
+TEST_CASE("a proof ends soon after it was cancelled, wherever it was") {
+  std::vector<Point> line;
+  for (int i = 0; i <= 2000; ++i) line.emplace_back(-9 + 0.009 * i, 3);
+  const Curve curve = Curve::polyline(line);
+  const StoppingSpace all{disc_space(0.5)};
+  REQUIRE(certify(all, curve).status == ProofStatus::proved);
+  for (std::size_t stop_at = 1; stop_at < *all.calls; stop_at += 150) {
+    CAPTURE(stop_at, *all.calls);
+    StoppingSpace space{disc_space(0.5)};
+    space.stop_at = stop_at;
+    const Certificate c = certify(space, curve, {}, Budget{.stop = space.source.get_token()});
+    if (*space.calls == *all.calls) continue;  // the last pieces
+    CHECK(c.status == ProofStatus::undecided);
+    CHECK(std::isinf(c.lower));
+    CHECK(*space.calls <= stop_at + 64);
+  }
 }
 
 }  // namespace

@@ -107,8 +107,8 @@ class ClearanceInterval {
 template <ClearanceSpace S, class Visit>
 Certificate certify_pieces(const S& space, std::size_t count, double distance, const Visit& visit,
                            const CertifyOptions& options, const Budget& budget) {
-  Certificate certificate;
-  certificate.distance_error_bound = space.distance_error_bound();
+  const Certificate undecided{.distance_error_bound = space.distance_error_bound()};
+  Certificate certificate = undecided;
   for (std::size_t i = 0; i < count; ++i) {
     if (i % 64 == 0 && budget.exceeded()) return certificate;
     bool proved = false;
@@ -144,6 +144,8 @@ Certificate certify_pieces(const S& space, std::size_t count, double distance, c
   certificate.status = ProofStatus::proved;
   ClearanceInterval<S> interval(space, options, certificate);
   for (std::size_t i = 0; i < count; ++i) {
+    // Out of time, the interval of a proved curve is worth finding still; cancelled, nothing is.
+    if (i % 64 == 0 && budget.cancelled()) return undecided;
     visit(i, [&](const auto& piece, double error) { interval.add(piece, i, error); });
   }
   certificate.lower = std::max(certificate.lower, distance);
