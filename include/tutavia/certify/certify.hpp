@@ -107,8 +107,8 @@ class ClearanceInterval {
 template <ClearanceSpace S, class Visit>
 Certificate certify_pieces(const S& space, std::size_t count, double distance, const Visit& visit,
                            const CertifyOptions& options, const Budget& budget) {
-  const Certificate undecided{.distance_error_bound = space.distance_error_bound()};
-  Certificate certificate = undecided;
+  Certificate certificate;
+  certificate.distance_error_bound = space.distance_error_bound();
   for (std::size_t i = 0; i < count; ++i) {
     if (i % 64 == 0 && budget.exceeded()) return certificate;
     bool proved = false;
@@ -145,7 +145,9 @@ Certificate certify_pieces(const S& space, std::size_t count, double distance, c
   ClearanceInterval<S> interval(space, options, certificate);
   for (std::size_t i = 0; i < count; ++i) {
     // Out of time, the interval of a proved curve is worth finding still; cancelled, nothing is.
-    if (i % 64 == 0 && budget.cancelled()) return undecided;
+    if (i % 64 == 0 && budget.cancelled()) {
+      return {.distance_error_bound = space.distance_error_bound()};
+    }
     visit(i, [&](const auto& piece, double error) { interval.add(piece, i, error); });
   }
   certificate.lower = std::max(certificate.lower, distance);
