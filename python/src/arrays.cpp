@@ -130,10 +130,11 @@ Numbers to_table(py::handle value, py::ssize_t columns, const char* name) {
 }
 
 bool is_number(py::handle value) {
-  if (py::isinstance<py::array>(value)) {
-    return py::reinterpret_borrow<py::array>(value).ndim() == 0;
-  }
-  return PyNumber_Check(value.ptr()) != 0;
+  if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr())) return true;
+  if (PyNumber_Check(value.ptr()) == 0) return false;
+  const py::array array = py::array::ensure(value);  // tables may call themselves numbers
+  clear_error();
+  return array && array.ndim() == 0;
 }
 
 Numbers to_column_without_nan(py::handle value, const char* name) {

@@ -29,18 +29,15 @@ static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 bool is_python_action_known = false;
 bool is_watching = false;
 unsigned long main_thread = 0;
+PyObject *get_handler = nullptr, *default_handler = nullptr, *sigint = nullptr;
 
-void on_sigint(int number, siginfo_t* info, void* context) {
+void on_sigint(int number, siginfo_t*, void*) {
   const int error = errno;
   interrupted_watch = current_watch.load();
   const char byte = 0;
   [[maybe_unused]] const ssize_t written = write(wake_end, &byte, 1);
   errno = error;
-  if ((python_action.sa_flags & SA_SIGINFO) != 0) {
-    python_action.sa_sigaction(number, info, context);
-  } else if (python_action.sa_handler != SIG_DFL && python_action.sa_handler != SIG_IGN) {
-    python_action.sa_handler(number);
-  }
+  python_action.sa_handler(number);
 }
 
 /// Waits for the handler of the signal, and requests the stop of the watch that was interrupted.
@@ -94,6 +91,9 @@ bool stands_before_python() {
   struct sigaction now {};
   sigaction(SIGINT, nullptr, &now);
   if ((now.sa_flags & SA_SIGINFO) != 0 && now.sa_sigaction == &on_sigint) return true;
+  const bool is_function =
+      (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler != SIG_DFL && now.sa_handler != SIG_IGN;
+  if (!is_function) return false;  // another library has put it there
   if (is_python_action_known && now.sa_handler != python_action.sa_handler) return false;
   python_action = now;
   is_python_action_known = true;
@@ -112,23 +112,17 @@ SigintWatch::SigintWatch() {
 
 SigintWatch::~SigintWatch() {
   is_watching = false;
-  waiter->end();
+  if (waiter != nullptr) waiter->end();  // it is not there in a child forked by a handler
 }
 
 Hearing hearing() {
   if (PyThread_get_thread_ident() != main_thread) return Hearing::none;
-  // The functions of the module in C: those of `signal` wrap their results, which takes longer.
-  static PyObject* const get_handler =
-      py::object(py::module_::import("_signal").attr("getsignal")).release().ptr();
-  static PyObject* const raises =
-      py::object(py::module_::import("_signal").attr("default_int_handler")).release().ptr();
-  static PyObject* const number = PyLong_FromLong(SIGINT);
   const auto handler =
-      py::reinterpret_steal<py::object>(PyObject_CallFunctionObjArgs(get_handler, number, nullptr));
+      py::reinterpret_steal<py::object>(PyObject_CallFunctionObjArgs(get_handler, sigint, nullptr));
   if (!handler) throw py::error_already_set();
   if (PyCallable_Check(handler.ptr()) == 0) return Hearing::none;
   // A handler that runs during a watch may plan, too.
-  const bool may_watch = handler.ptr() == raises && !is_watching && stands_before_python();
+  const bool may_watch = handler.ptr() == default_handler && !is_watching && stands_before_python();
   return may_watch ? Hearing::watched : Hearing::asked;
 }
 
@@ -136,11 +130,17 @@ void bind_interrupt(py::module_& m) {
   const auto start = [] {
     // The thread of the module is gone, and the pipe is that of the parent.
     main_thread = PyThread_get_thread_ident();
+    wake_end = -1;  // the child may close it and open a file of the same number
     is_watching = false;
     waiter = nullptr;
   };
   main_thread =
       py::module_::import("threading").attr("main_thread")().attr("ident").cast<unsigned long>();
+  // The functions of the module in C: those of `signal` wrap their results, which takes longer.
+  const auto signal = py::module_::import("_signal");
+  get_handler = py::object(signal.attr("getsignal")).release().ptr();
+  default_handler = py::object(signal.attr("default_int_handler")).release().ptr();
+  sigint = PyLong_FromLong(SIGINT);
   m.def("_after_fork", start, "Prepares a forked process.");
   using namespace pybind11::literals;
   py::module_::import("os").attr("register_at_fork")("after_in_child"_a = m.attr("_after_fork"));

@@ -80,9 +80,11 @@ auto run_asking(const Work& work) {
   return future.get();
 }
 
-/// Returns `work(token)`, called without the GIL. If a handler of Python raises in the main thread,
-/// the token is stopped, and what it raised is thrown: KeyboardInterrupt at Ctrl-C. A handler that
-/// raises nothing cancels nothing.
+/// Returns `work(token)`, called without the GIL. At SIGINT in the main thread, if its handler
+/// raises, the token is stopped, and what it raised is thrown: KeyboardInterrupt. A handler that
+/// raises nothing cancels nothing. While Python's own handler of SIGINT is in place, handlers of
+/// other signals run when the work has ended, and so does `_thread.interrupt_main`, which is no
+/// signal.
 template <class Work>
 auto run_interruptible(const Work& work) {
   const Hearing how = hearing();

@@ -246,6 +246,14 @@ def test_nan_is_no_place(lattice, cells):
     for s in (math.nan, "x", None, [1.0, math.nan], numpy.zeros((2, 2)), [[1], [2, 3]]):
         with pytest.raises(tutavia.InvalidInput, match="^invalid_input: s"):
             curve.at(s)
+    class Series:  # as pandas has it
+        def __float__(self):
+            return 0.5
+
+        def __array__(self, dtype=None, copy=None):
+            return numpy.array([0.5])
+
+    assert curve.at(Series()).s.tolist() == [0.5] and curve.at(numpy.float32(0.5)).s == 0.5
     assert curve.at(math.inf).s == curve.at(numpy.array(1e9)).s == curve.length
     for times in (3.0, "x", [math.nan]):
         with pytest.raises(tutavia.InvalidInput, match="times"):

@@ -125,6 +125,21 @@ def test_results_of_a_file_that_was_cut_are_its_whole_lines(expected, tmp_path, 
     assert all(len(values) == whole for values in columns.values())
 
 
+@pytest.mark.parametrize("cell, wrong", [("length", "x"), ("fell_back", "maybe"),
+                                         ("expanded", "1" * 30), ("status", b"\xff")])
+def test_cells_that_are_no_results_are_named(expected, tmp_path, cell, wrong):
+    path = tmp_path / "results.csv"
+    rows = [line.split(",") for line in expected.splitlines()[:6]]
+    at = next(i for i in range(1, 6) if rows[i][5] == "planned")
+    rows[at][rows[0].index(cell)] = wrong if isinstance(wrong, str) else "WRONG"
+    text = "\n".join(map(",".join, rows)) + "\n"
+    path.write_bytes(text.encode() if isinstance(wrong, str)
+                     else text.encode().replace(b"WRONG", wrong))
+    message = f"line {at + 1}: {cell}" if isinstance(wrong, str) else "no file of results"
+    with pytest.raises(tutavia.InvalidInput, match=message):
+        read_results(path)
+
+
 def test_lines_that_are_not_in_order_are_no_results(expected, tmp_path):
     path = tmp_path / "results.csv"
     lines = expected.splitlines(keepends=True)

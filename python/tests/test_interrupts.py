@@ -110,16 +110,21 @@ def test_no_ctrl_c_is_lost_whenever_it_comes(lattice):
             tutavia.plan(lattice, (2, 1), (14, 6), time_limit=30, **ENDLESS)
 
 
-def test_without_a_handler_of_python_the_process_ends(lattice):
+@pytest.mark.parametrize("by", ["python", "library"])
+def test_without_a_handler_of_python_the_process_ends(by):
     program = textwrap.dedent("""
-        import os, signal, threading
+        import ctypes, os, signal, sys, threading
         import tutavia
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
         space = tutavia.LatticeSpace(tutavia.builtin_map("maze").workspace, resolution=0.2)
+        if sys.argv[1] == "python":
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
+        else:
+            ctypes.CDLL(None).signal(signal.SIGINT, None)
+        tutavia.plan(space, (2, 1), (14, 6))
         threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
         tutavia.plan(space, (2, 1), (14, 6), "rrt_star", "none", max_iterations=10**9)
     """)
-    run = subprocess.run([sys.executable, "-c", program], timeout=60)
+    run = subprocess.run([sys.executable, "-c", program, by], timeout=60)
     assert run.returncode == -signal.SIGINT
 
 
@@ -217,6 +222,27 @@ def test_a_forked_process_hears_ctrl_c():
         sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
     """)
     assert subprocess.run([sys.executable, "-c", program], timeout=60).returncode == 7
+
+
+def test_ctrl_c_in_a_forked_process_writes_into_no_file(tmp_path):
+    program = textwrap.dedent("""
+        import os, signal, sys
+        import tutavia
+        space = tutavia.LatticeSpace(tutavia.builtin_map("maze").workspace, resolution=0.2)
+        tutavia.plan(space, (2, 1), (14, 6))
+        if os.fork() != 0:
+            os.wait()
+            sys.exit()
+        os.closerange(3, 64)
+        files = [open(f"{sys.argv[1]}/{i}", "wb") for i in range(40)]
+        try:
+            os.kill(os.getpid(), signal.SIGINT)
+        except KeyboardInterrupt:
+            pass
+        os._exit(0)
+    """)
+    subprocess.run([sys.executable, "-c", program, str(tmp_path)], timeout=60, check=True)
+    assert [file.stat().st_size for file in tmp_path.iterdir()] == [0] * 40
 
 
 def test_a_process_forked_during_a_plan_hears_ctrl_c():

@@ -82,6 +82,7 @@ def test_tables_of_geopandas_are_their_geometries():
     frame = geopandas.GeoDataFrame({"name": ["a", "b"]}, geometry=geometries, index=[7, 3])
     for table in (frame, frame.geometry):
         assert same(space_of_table(table), space_of(*geometries))
+    assert same(space_of_table(frame.iloc[0]), space_of(geometries[0]))
     frame.loc[3, "geometry"] = None
     with pytest.raises(tutavia.InvalidInput, match=r"obstacles\[1\]: NoneType is no obstacle"):
         space_of_table(frame)

@@ -88,8 +88,11 @@ def read_results(file) -> Dict[str, numpy.ndarray]:
     if not hasattr(file, "read"):
         with open(file, newline="", encoding="utf-8") as opened:
             return read_results(opened)
-    text = file.read()
-    rows = list(csv.reader(io.StringIO(text[:text.rfind("\n") + 1])))
+    try:
+        text = file.read()
+        rows = list(csv.reader(io.StringIO(text[:text.rfind("\n") + 1])))
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise InvalidInput(f"this is no file of results: {error}") from None
     if not rows or rows[0] != HEADER.split(","):
         raise InvalidInput("line 1: this is no file of results")
     first = rows[1][0] if len(rows) > 1 and rows[1] else "0"
@@ -98,17 +101,26 @@ def read_results(file) -> Dict[str, numpy.ndarray]:
             raise InvalidInput(f"line {index + 2}: expected {len(rows[0])} columns, got {len(row)}")
         if not first.isdecimal() or row[0] != str(int(first) + index):
             raise InvalidInput(f"line {index + 2}: this is no result of the query after the last")
-    columns = {}
-    for name, values in zip(rows[0], zip(*rows[1:]) if len(rows) > 1 else [()] * len(rows[0])):
-        if name == "status":
-            columns[name] = numpy.array(values, dtype=str)
-        elif name == "fell_back":
-            columns[name] = numpy.array([value == "true" for value in values], dtype=bool)
-        elif name in ("query", "expanded"):
-            columns[name] = numpy.array(values, dtype=numpy.int64)
-        else:
-            columns[name] = numpy.array([float(value) if value else numpy.nan for value in values])
-    return columns
+    columns = zip(*rows[1:]) if len(rows) > 1 else [()] * len(rows[0])
+    return {name: _column(name, values) for name, values in zip(rows[0], columns)}
+
+
+def _column(name, values):
+    """The array of a column of texts."""
+    if name == "status":
+        return numpy.array(values, dtype=str)
+    kind, read = float, lambda value: float(value) if value else numpy.nan
+    if name == "fell_back":
+        kind, read = bool, lambda value: {"true": True, "false": False, "": False}[value]
+    elif name in ("query", "expanded"):
+        kind, read = numpy.int64, int
+    column = numpy.empty(len(values), dtype=kind)
+    for index, value in enumerate(values):
+        try:
+            column[index] = read(value)
+        except (ValueError, KeyError, OverflowError):
+            raise InvalidInput(f"line {index + 2}: {name}: found {value!r}") from None
+    return column
 
 
 def _whole(value, name, least, most=2**63 - 1):
@@ -292,7 +304,8 @@ class _CsvSink:
             raise
 
     def _begin(self, path, job):
-        has_begun = self.file.tell() > 0
+        written = os.fstat(self.file.fileno()).st_size  # now that nobody else writes it
+        has_begun = written > 0
         _check_job(path, path + ".job", job, has_begun)
         size = 0
         if has_begun:
@@ -301,7 +314,7 @@ class _CsvSink:
                     self.done, size = _native._count_results(file.read())
                 except InvalidInput as error:
                     raise InvalidInput(f"{path}: {error.detail}") from None
-            if self.file.tell() > size:
+            if written > size:
                 self.file.truncate(size)  # to the last whole line
         if size == 0:
             self._append(HEADER + "\n")

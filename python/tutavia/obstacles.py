@@ -35,7 +35,7 @@ def flatten(obstacles) -> List[Any]:
     """
     if _is_table(obstacles):
         obstacles = obstacles.geometry
-    elif _is_one(obstacles):
+    if _is_one(obstacles):
         obstacles = [obstacles]
     try:
         items = iter(obstacles)
@@ -53,7 +53,7 @@ def _name(value):
 
 
 def _is_one(value):
-    is_geometry = hasattr(value, "__geo_interface__")
+    is_geometry = hasattr(value, "__geo_interface__") and not _is_table(value)
     is_corners = isinstance(value, numpy.ndarray) and value.ndim == 2
     return isinstance(value, (Disc, Polygon, dict)) or is_geometry or is_corners
 

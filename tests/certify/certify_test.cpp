@@ -287,7 +287,7 @@ TEST_CASE("a proof ends soon after it was cancelled, wherever it was") {
     StoppingSpace space{disc_space(0.5)};
     space.stop_at = stop_at;
     const Certificate c = certify(space, curve, {}, Budget{.stop = space.source.get_token()});
-    if (*space.calls == *all.calls) continue;  // the last pieces
+    if (stop_at + 64 > *all.calls) continue;  // the last pieces
     CHECK(c.status == ProofStatus::undecided);
     CHECK(std::isinf(c.lower));
     CHECK(*space.calls <= stop_at + 64);
