@@ -9,6 +9,7 @@ PYBIND11_MODULE(_native, m) {
   using namespace tutavia_python;
   m.doc() = "The compiled part of tutavia. Import tutavia instead.";
   m.attr("__version__") = tutavia::version_text();
+  m.attr("_pybind11_major") = PYBIND11_VERSION_MAJOR;
   // Types before the functions that take or return them, so that signatures name them.
   bind_workspaces(m);
   bind_spaces(m);

@@ -15,6 +15,8 @@ SOURCES = pathlib.Path(__file__).resolve().parents[1] / "tutavia"
 
 @pytest.mark.parametrize("name", sorted(stubs.stubs()))
 def test_no_stub_is_stale(name):
+    if name == "_native.pyi" and tutavia._native._pybind11_major != 2:
+        pytest.skip("pybind11 3 writes other signatures; the stubs are written with version 2")
     text = (SOURCES / name).read_text(encoding="utf-8")
     assert text == stubs.stubs()[name], "write them by python3 -m tutavia.stubs python/tutavia"
 
