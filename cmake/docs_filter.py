@@ -49,9 +49,8 @@ def parent(page):
     folder, name = os.path.split(page)
     if page == "docs/README.md":
         return "README.md"
-    if name != "README.md" and os.path.exists(ROOT / folder / "README.md") and folder:
-        return f"{folder}/README.md"
-    return "docs/README.md"
+    is_listed_beside = folder and name != "README.md" and (ROOT / folder / "README.md").exists()
+    return f"{folder}/README.md" if is_listed_beside else "docs/README.md"
 
 
 def replaced(page, found, listed):
@@ -75,7 +74,8 @@ def markdown(page, text):
         if part.lstrip().startswith("```"):
             yield part
             continue
-        for line in LINK.sub(lambda found: replaced(page, found, listed), part).splitlines(keepends=True):
+        part = LINK.sub(lambda found: replaced(page, found, listed), part)
+        for line in part.splitlines(keepends=True):
             heading, definition = HEADING.match(line), DEFINITION.match(line)
             if heading:
                 name = label(page, "" if is_title else slug(heading[1]))

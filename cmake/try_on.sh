@@ -48,9 +48,13 @@ in_root() {
     DEBIAN_FRONTEND=noninteractive sh -ec "$1"
 }
 
-try_command() {
+clone_into_root() {
   rm -rf "$root/tutavia"
   git clone -q . "$root/tutavia"
+}
+
+try_command() {
+  clone_into_root
   in_root "cd /tutavia && cmake/setup.sh $1"
 }
 
@@ -73,8 +77,7 @@ try_package() {
 }
 
 try_wheel() {
-  rm -rf "$root/tutavia"
-  git clone -q . "$root/tutavia"
+  clone_into_root
   in_root "apt-get update -qq
     apt-get install -y -qq --no-install-recommends g++ ninja-build cmake libeigen3-dev pybind11-dev \
       python3-dev python3-numpy python3-pip python3-scikit-build-core >/dev/null
