@@ -76,7 +76,8 @@ def test_views_and_orders_of_memory_do_not_matter():
     ([{"type": "Sphere", "coordinates": []}], r"obstacles\[0\].*'Sphere' is no obstacle.*Polygon"),
     ([{}], r"type None is no obstacle"),
     ([{"type": []}], r"type \[\] is no obstacle"),
-    ([{"type": "FeatureCollection"}], r"obstacles\[0\]: a FeatureCollection has a list of features"),
+    ([{"type": "FeatureCollection"}],
+     r"obstacles\[0\]: a FeatureCollection has a list of features"),
     ([{"type": "FeatureCollection", "features": ["tree"]}], r"features\[0\]: expected a GeoJSON"),
     ([{"type": "GeometryCollection", "geometries": 3}], "has a list of geometries, found 3"),
     ([{"type": "Polygon", "coordinates": 5}], "these are no coordinates of a Polygon"),
@@ -198,7 +199,8 @@ def test_seeds_and_headings_of_queries():
 
 @pytest.mark.parametrize("threads", [-1, 1.5, "two", 10**6])
 def test_threads_of_a_batch(lattice, threads):
-    with pytest.raises(tutavia.InvalidOption, match="threads: expected a whole number from 0 to 4096"):
+    with pytest.raises(tutavia.InvalidOption,
+                       match="threads: expected a whole number from 0 to 4096"):
         tutavia.plan_batch(lattice, [[2, 1]], [[14, 6]], threads=threads)
 
 

@@ -140,14 +140,16 @@ def builtin_map(name: str) -> Scene:
 
 
 _KEPT = 8
-_kept: "collections.OrderedDict[Any, Planner]" = collections.OrderedDict()  # the last used at the end
+_kept: "collections.OrderedDict[Any, Planner]" = collections.OrderedDict()  # the last used: last
 _lock = threading.Lock()
 
 
 def _planner(search, smoother, vehicle, options) -> Planner:
     """A kept planner of these algorithms."""
     # With types: True and 1.0 are equal to 1, but not the same option.
-    given = tuple((word, type(value), value) for word, value in options.items()) if options else None
+    given = None
+    if options:
+        given = tuple((word, type(value), value) for word, value in options.items())
     key = (search, smoother, vehicle, given)
     try:
         planner = _kept[key]
@@ -193,10 +195,10 @@ def _with_options(search: Algorithm, smoothers: Tuple[Algorithm, ...],
     known = [[o.name for o in _described(a.kind, a.name).options] for a in algorithms]
     given: Any = [dict(a.options) for a in algorithms]
     for word, value in options.items():
-        owners = [i for i, names in enumerate(known) if word in names]
         if word in _QUERY_OPTIONS:
             raise InvalidOption(f"{word}: no option of an algorithm: it belongs to one query or "
                                 "batch, as an argument of Planner.plan or Planner.plan_batch")
+        owners = [i for i, names in enumerate(known) if word in names]
         if not owners:
             names = list(dict.fromkeys(name for own in known for name in own))
             raise InvalidOption(unknown_option(
